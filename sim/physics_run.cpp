@@ -367,7 +367,7 @@ class Run {
 
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
   if (!drive.is_external() && !options.elastic)
-    throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
+    throw InvalidInput("shape_memory needs elastic hinges in the simulation. Give `hinge: {model: elastic}`",
                        {"", 0, 0, "drive.kind"});
 }
 

@@ -113,7 +113,7 @@ bool would_replace(const std::string& input, const std::string& folder) {
 std::string folder_beside_input(const std::string& input, const std::string& folder, bool is_given) {
   if (!would_replace(input, folder)) return folder;
   if (is_given)
-    throw InvalidInput("results in " + folder + " would replace this file; give another folder: -o DIR",
+    throw InvalidInput("results in " + folder + " would replace this file. Give another folder: -o DIR",
                        {input});
   return folder + "_2";
 }
@@ -187,11 +187,11 @@ targets::Node document_of(const CommandOptions& options) {
   return targets::read_changed_document(options.file, max_design_bytes, options.changes);
 }
 
-/// Applies --theta-deg to imported bodies. It drives the hinge that the file names, or the hinge that turns most in
+/// Applies --fold-angle-deg to imported bodies. It drives the hinge that the file names, or the hinge that turns most in
 /// the first motion.
 Design turned_to(Design design, const CommandOptions& options) {
   if (body_pull_of(design))
-    throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled",
+    throw InvalidInput("the drive pulls bodies, and --fold-angle-deg needs a hinge. Remove the option",
                        {options.file, 0, 0, "drive"});
   design.theta = options.theta_deg * radians_per_degree;
   if (const model::HingeTurn* turn = turn_of(design))
@@ -199,14 +199,14 @@ Design turned_to(Design design, const CommandOptions& options) {
   return design;
 }
 
-/// Reads the design and applies --theta-deg, if given. A sheet then folds without its `drive:`.
+/// Reads the design and applies --fold-angle-deg, if given. A sheet then folds without its `drive:`.
 Design design_of(const CommandOptions& options, const targets::Node& root) {
   Design design = read_design(root);
   if (!options.theta_given) return design;
   if (design.structure.assembly()) return turned_to(std::move(design), options);
   if (design.drive && !options.drives)
     Console(options.quiet)
-        .warning("--theta-deg takes the place of `drive:`: the sheet is folded as a design without one is");
+        .warning("--fold-angle-deg replaces `drive:`. The sheet folds like a design without a drive");
   design.theta = options.theta_deg * radians_per_degree;
   design.drive.reset();
   return design;
@@ -224,12 +224,12 @@ DriveTrials located_trials(const CommandOptions& options, const Design& design) 
 
 int compare_drives(const CommandOptions& options) {
   if (options.model != "equilibrium")
-    throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
-  if (options.open) throw InvalidInput("--open shows a report, and --drives writes none");
+    throw InvalidInput("--drives compares forces of elastic hinges. Add --model equilibrium");
+  if (options.open) throw InvalidInput("--open: --drives writes no report. Remove one of the two options");
   const targets::Node root = document_of(options);
   const Design design = design_of(options, root);
   if (design.structure.assembly())
-    throw InvalidInput("--drives compares drives of sheets, and this is an imported design of bodies",
+    throw InvalidInput("--drives only applies to sheets, and this is a design of bodies. Remove the option",
                        {options.file});
   std::optional<OutputFolder> folder;
   if (options.folder_given) folder.emplace(options.folder);
@@ -396,8 +396,8 @@ void announce_check(const std::string& file, const model::Lattice& sheet, const 
                bytes = check_bytes_per_body * sheet.bodies();
   if (const auto free = free_memory(); free && !(bytes <= *free))
     throw InvalidInput(
-        fmt::format("checking {} bodies takes about {:.0f} MB of memory, and {:.0f} MB are free. "
-                    "Take fewer cells, or close other programs",
+        fmt::format("checking {} bodies needs about {:.0f} MB of memory, and {:.0f} MB are free. "
+                    "Give fewer cells, or close other programs",
                     sheet.bodies(), bytes / 1e6, *free / 1e6),
         {file, 0, 0, "structure.cells"});
   if (seconds >= 1)
@@ -454,8 +454,7 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
                        const Progress& progress) {
   const targets::Node root = targets::read_changed_document(file, max_design_bytes, changes);
   if (root.kind() != targets::Node::Kind::map)
-    throw root.error(
-        "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");
+    throw root.error("this is not a kinetix file. Write YAML keys, starting with `kinetix: 1`");
   if (root.optional("factors")) {
     const SweepPlan plan = make_sweep_plan(file, {}, changes);
     return {
@@ -472,9 +471,10 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
   if (design.structure.bodies() <= max_bodies_for_contact)
     out.contact = contact_of(design);
   else
-    out.forecast->notes.push_back(fmt::format(
-        "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",
-        max_bodies_for_contact, about(contact_seconds(design.structure))));
+    out.forecast->notes.push_back(
+        fmt::format("the collision-free range is computed here for up to {} bodies. Run `simulate`, which "
+                    "needs {} for it",
+                    max_bodies_for_contact, about(contact_seconds(design.structure))));
   return out;
 }
 

@@ -29,6 +29,13 @@ void write_line(const char* words) noexcept {
   if (write(STDERR_FILENO, "\n", 1) < 0) return;
 }
 
+/// Formats a message on one line. Indented lines, such as those of a YAML file, stay lines.
+std::string shown(const std::string& message) {
+  std::string text = printable_line(message);
+  for (std::size_t at = 0; (at = text.find("\\n  ", at)) != std::string::npos;) text.replace(at, 2, "\n");
+  return text;
+}
+
 void print(const Json& error) {
   constexpr auto replace = Json::error_handler_t::replace;  // a file's name may hold bytes that are not UTF-8
   std::cout << Json{{"error", error}}.dump(1, ' ', false, replace) << std::endl;
@@ -37,7 +44,7 @@ void print(const Json& error) {
 }  // namespace
 
 void report_error(const InvalidInput& error, int exit_code, bool as_json) {
-  std::cerr << printable_line(error.what()) << "\n";
+  std::cerr << shown(error.what()) << "\n";
   if (!as_json) return;
   const Place& place = error.place();
   Json json = {{"exit_code", exit_code}, {"message", error.what()}, {"reason", error.reason()}};

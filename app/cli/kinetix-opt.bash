@@ -8,7 +8,7 @@ _kinetix_opt() {
     esac
   done
   case $before in
-    --model) COMPREPLY=($(compgen -W "exact equilibrium bullet" -- "$word")); return ;;
+    --model) COMPREPLY=($(compgen -W "exact equilibrium rigid_body" -- "$word")); return ;;
     --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb scad all" -- "$word")); return ;;
     --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls laser" -- "$word")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm cm m in ft" -- "$word")); return ;;
@@ -17,15 +17,15 @@ _kinetix_opt() {
     --hinge) COMPREPLY=($(compgen -W "pin block film rod" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --clearance | --cell-mm | --port | --soft-material | --tile-mm | --thickness-mm | --kerf-mm) return ;;
+    --threads | --seed | --time-limit | --monte-carlo | --fold-angle-deg | --theta-deg | --clearance | --cell-mm | --port | --soft-material | --tile-mm | --thickness-mm | --kerf-mm) return ;;
   esac
   local options
   case $command in
     verify) options="$common --process --hinge --bed --lock -o --open --fidelity" ;;
-    simulate) options="$common --process --hinge --bed --lock -o --open --model --theta-deg --drives --time-limit" ;;
+    simulate) options="$common --process --hinge --bed --lock -o --open --model --fold-angle-deg --drives --time-limit" ;;
     sweep) options="$common --process --hinge --bed --lock -o --open --resume --share" ;;
     check) options="$common --process --hinge --bed --lock" ;;
-    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --lock --loose-rods --caps --orient --slicer --slice --coupon --state" ;;
+    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --lock --loose-rods --round-caps --orient --slicer --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
     view) options="$common --process --hinge --bed --lock --no-open --port" ;;
     *) options="$common --version --process --hinge --bed --lock -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;

@@ -38,11 +38,12 @@ targets::ValueType direction() { return value::list(value::number(), "`[x, y, z]
 
 const targets::KeyTable& body_keys() {
   static const targets::KeyTable keys({
-      {"name", value::text("its name, once in the file"), targets::needed, "what hinges and results call it"},
+      {"name", value::text("its name, once in the file"), targets::needed,
+       "name of the body in hinges and results"},
       {"file", value::text("path of an STL, OBJ or PLY file"), targets::needed,
-       "its surface at rest, mm, one closed shell; relative to this file"},
+       "surface of the body at rest, mm, as one closed shell. The path is relative to this file"},
       {"position_mm", vector_mm(), targets::otherwise("the center of its volume"),
-       "the point by which results say where it is"},
+       "reference point of the body in results"},
   });
   return keys;
 }
@@ -51,14 +52,14 @@ const targets::KeyTable& k_keys() {
   const auto newtons = value::number(targets::above(0, "N/mm")),
              moments = value::number(targets::above(0, "N mm/rad"));
   static const targets::KeyTable keys({
-      {"axial", newtons, targets::needed, "from body to body, across the hinge's axis"},
-      {"shear", newtons, targets::needed, "across that and the axis"},
-      {"along", newtons, targets::needed, "along the axis"},
-      {"turn", moments, targets::needed, "about the axis"},
+      {"axial", newtons, targets::needed, "stiffness from body to body, across the hinge's axis"},
+      {"shear", newtons, targets::needed, "stiffness across that direction and the axis"},
+      {"along", newtons, targets::needed, "stiffness along the axis"},
+      {"turn", moments, targets::needed, "rotation stiffness about the axis"},
       {"rock", moments, targets::otherwise("axial times `reach_mm` squared"),
-       "about the direction across body to body and the axis"},
+       "stiffness about the direction across body to body and the axis"},
       {"twist", moments, targets::otherwise("shear times `reach_mm` squared"),
-       "about the direction from body to body"},
+       "stiffness about the direction from body to body"},
   });
   return keys;
 }
@@ -66,23 +67,23 @@ const targets::KeyTable& k_keys() {
 const targets::KeyTable& joint_keys() {
   static const targets::KeyTable keys({
       {"name", value::text("its name, once in the file"), targets::needed,
-       "what the drive and results call it"},
+       "name of the hinge in the drive and results"},
       {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
        "the two bodies that it joins"},
       {"kind", value::choice(joint_choices), targets::by_default("block"),
-       "`block`: a soft part; `pin`: turns about its axis alone; `ball`: turns every way about its point"},
-      {"point_mm", vector_mm(), targets::needed, "on its axis, at rest"},
-      {"axis", direction(), targets::needed, "of length 1, at rest"},
+       "`block`: a soft part. `pin`: a revolute joint. `ball`: a spherical joint"},
+      {"point_mm", vector_mm(), targets::needed, "point on the axis, at rest"},
+      {"axis", direction(), targets::needed, "direction of the axis, of length 1, at rest"},
       {"along", direction(), targets::otherwise("square to the axis, from body to body"),
        "direction in which the soft part reaches from its first body to the second, of length 1"},
       {"reach_mm", value::number(targets::above(0, "mm")), targets::otherwise("0.18 of `cell_mm`"),
-       "half distance of the two points on the axis at which it holds its bodies together"},
-      {"k", value::map(k_keys()), {}, "its stiffness, where it is soft"},
-      {"diameter_mm", value::number(targets::above(0, "mm")), {}, "of a pin's rod"},
+       "half the distance of the two points on the axis at which the hinge joins its bodies"},
+      {"k", value::map(k_keys()), {}, "stiffness of a soft hinge"},
+      {"diameter_mm", value::number(targets::above(0, "mm")), {}, "diameter of a pin's rod"},
       {"clearance_mm", value::number(targets::at_least(0, "mm")), targets::by_default(0.0),
-       "of a pin, between rod and bore, a side"},
+       "clearance between rod and bore of a pin, per side"},
       {"confidence", value::number(share), targets::by_default(1),
-       "how sure its axis is: 1 less its stiffness about it over that about the next axis"},
+       "reliability of the axis: 1 minus the stiffness about it over that about the next axis"},
       {"file", value::text("path of an STL, OBJ or PLY file"), {}, "the surface of its soft part at rest"},
   });
   return keys;
@@ -92,11 +93,11 @@ const targets::KeyTable& bodies_structure_keys() {
   static const targets::KeyTable keys({
       {"cell_mm", value::number(targets::above(0, "mm")),
        targets::otherwise("the median distance of two bodies that share a hinge"),
-       "the length by which gaps and distances are measured"},
+       "unit length of gaps and distances"},
       {"bodies", value::list(value::map(body_keys()), "a list of bodies", 2), targets::needed,
        "rigid bodies of any shape"},
       {"hinges", value::list(value::map(joint_keys()), "a list of hinges", 1), targets::needed,
-       "what joins them"},
+       "hinges between the bodies"},
   });
   return keys;
 }
@@ -108,17 +109,17 @@ const targets::KeyTable& turn_keys() {
       {"angle_deg",
        value::angle(turn_bounds),
        {},
-       "by which its second body is turned against its first one, about its axis"},
+       "rotation of the second body relative to the first, about the axis"},
       {"poses",
        value::list(value::list(value::number(), "`[x, y, z, qw, qx, qy, qz]`", 7, 7), "a list of poses", 2),
        {},
-       "instead of a turned hinge: where bodies are pulled to, one pose a body in their order, mm and the "
-       "quaternion of the turn from rest"},
+       "poses to which bodies are pulled, instead of a turned hinge: one per body in their order, in mm and "
+       "the quaternion of the rotation from rest"},
       {"expand",
        value::number(expand_bounds),
        {},
-       "or: bodies are pulled to this times their distance from the middle, and go as far as hinges let "
-       "them"},
+       "alternative to poses: pulls bodies to this multiple of their distance from the middle, as far as "
+       "hinges allow"},
   });
   return keys;
 }
@@ -141,7 +142,7 @@ Vector3d read_vector(const targets::Node& node, const char* what) {
 Vector3d read_direction(const targets::Node& node) {
   const Vector3d v = read_vector(node, "a direction [x, y, z] of length 1");
   if (!(std::abs(v.norm() - 1) <= unit_length))
-    throw node.error(fmt::format("has length {:.4g}; a direction has length 1", v.norm()));
+    throw node.error(fmt::format("the vector has length {:.4g}. Give a direction of length 1", v.norm()));
   return v.normalized();
 }
 
@@ -178,7 +179,7 @@ class BodiesReader {
     const std::string name = node.text("name of a hinge");
     for (std::size_t h = 0; h < out_hinges_.size(); ++h)
       if (out_hinges_[h] == name) return static_cast<int>(h);
-    throw node.error("is not a hinge of this file");
+    throw node.error("the file has no such hinge. Give the name of a hinge");
   }
 
  private:
@@ -188,7 +189,7 @@ class BodiesReader {
     const targets::Node name = section.required("name", "its name");
     body.name = usable_name(name);
     if (!body_of_.try_emplace(body.name, static_cast<int>(out_.bodies.size())).second)
-      throw name.error("two bodies have this name");
+      throw name.error("two bodies have this name. Rename one of them");
     body.solid = read_shell(section.required("file", "the file of its surface, e.g. `parts/body_1.stl`"));
     body.position = model::mass_properties(body.solid).center;
     if (const auto position = section.optional("position_mm"))
@@ -198,7 +199,7 @@ class BodiesReader {
 
   int body_of(const targets::Node& node) const {
     const auto found = body_of_.find(node.text("name of a body"));
-    if (found == body_of_.end()) throw node.error("is not a body of this file");
+    if (found == body_of_.end()) throw node.error("the file has no such body. Give the name of a body");
     return found->second;
   }
 
@@ -208,12 +209,12 @@ class BodiesReader {
     const targets::Node name = section.required("name", "its name");
     hinge.name = usable_name(name);
     if (std::find(out_hinges_.begin(), out_hinges_.end(), hinge.name) != out_hinges_.end())
-      throw name.error("two hinges have this name");
+      throw name.error("two hinges have this name. Rename one of them");
     const targets::Node bodies = section.required("bodies", "the names of its two bodies");
     const auto ends = bodies.list_of(2, "the names of its two bodies");
     hinge.lower = body_of(ends[0]);
     hinge.upper = body_of(ends[1]);
-    if (hinge.lower == hinge.upper) throw bodies.error("joins a body with itself");
+    if (hinge.lower == hinge.upper) throw bodies.error("the hinge joins a body with itself. Give two bodies");
     JointChoice kind = JointChoice::block;
     section.read("kind", kind, joint_choices);
     hinge.kind = kind == JointChoice::block ? model::HingeKind::block : model::HingeKind::pin;
@@ -237,7 +238,7 @@ class BodiesReader {
     section.read("confidence", hinge.confidence);
     if (const auto file = section.optional("file")) hinge.soft = read_shell(*file);
     if (!hinge.soft.points.empty() && body_of_.contains(hinge.name))
-      throw name.error("a body has this name; each is written into a file that is called so");
+      throw name.error("a body has the same name. Rename one of them: names are also names of files");
     out_hinges_.push_back(hinge.name);
     out_.hinges.push_back(std::move(hinge));
   }
@@ -245,7 +246,8 @@ class BodiesReader {
   Vector3d direction_of(const targets::Section& section, const model::AssemblyHinge& hinge) const {
     if (const auto along = section.optional("along")) {
       const Vector3d d = read_direction(*along);
-      if (!(std::abs(d.dot(hinge.axis)) <= square)) throw along->error("is not square to the axis");
+      if (!(std::abs(d.dot(hinge.axis)) <= square))
+        throw along->error("the direction is not perpendicular to the axis. Give a perpendicular one");
       return (d - d.dot(hinge.axis) * hinge.axis).normalized();
     }
     return model::direction_across(out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position,
@@ -307,7 +309,7 @@ model::Pose read_pose(const targets::Node& node) {
   const auto n = node.list_of(7, what);
   const Eigen::Quaterniond q(n[3].number(), n[4].number(), n[5].number(), n[6].number());
   if (!(std::abs(q.norm() - 1) <= unit_length))
-    throw node.error(fmt::format("has a quaternion of length {:.4g}; that of a turn has length 1", q.norm()));
+    throw node.error(fmt::format("the quaternion has length {:.4g}. Give one of length 1", q.norm()));
   return {q.normalized().toRotationMatrix(), {n[0].number(), n[1].number(), n[2].number()}};
 }
 
@@ -315,18 +317,21 @@ model::State read_poses(const targets::Node& node, std::size_t bodies) {
   model::State out;
   for (const targets::Node& pose : node.list("a list of poses")) out.push_back(read_pose(pose));
   if (out.size() != bodies)
-    throw node.error(fmt::format("has {} poses; the structure has {} bodies", out.size(), bodies));
+    throw node.error(
+        fmt::format("the list has {} poses, and the structure has {} bodies. Give one pose per body",
+                    out.size(), bodies));
   return out;
 }
 
 /// Reads the drive of a design of imported bodies.
 void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader, Design& design) {
   const auto poses = drive.optional("poses"), expand = drive.optional("expand");
-  if (poses && expand) throw expand->error("cannot stand beside `poses`; give one of them");
+  if (poses && expand) throw expand->error("cannot be combined with `poses`. Remove one of the two keys");
   for (const char* key : {"hinge", "angle_deg"})
     if (const auto turned = drive.optional(key); turned && (poses || expand))
-      throw turned->error(fmt::format("cannot stand beside `{}`: bodies are pulled, and no hinge is turned",
-                                      poses ? "poses" : "expand"));
+      throw turned->error(
+          fmt::format("cannot be combined with `{}`, which pulls bodies. Remove one of the two keys",
+                      poses ? "poses" : "expand"));
   if (poses || expand) {
     model::BodyPull pull;
     if (poses) pull.poses = read_poses(*poses, design.structure.assembly()->bodies.size());
@@ -338,13 +343,12 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
   if (const auto hinge = drive.optional("hinge")) {
     turn.hinge = reader.hinge_of(*hinge);
     if (design.structure.assembly()->hinges[turn.hinge].ball)
-      throw hinge->error("is a ball, which has no axis to be turned about");
+      throw hinge->error("a ball has no axis of rotation. Give another hinge");
   }
   const auto angle = drive.optional("angle_deg");
   if (!angle)
     throw drive.error(
-        "needs `angle_deg`, by how much a hinge is turned, or `poses` or `expand`, by which bodies are "
-        "pulled");
+        "the drive has no goal. Give `angle_deg` for a hinge, or `poses` or `expand` for bodies");
   turn.angle = angle->angle(turn_bounds);
   design.drive = turn;
 }
@@ -354,8 +358,8 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
 const targets::KeyTable& bodies_keys() {
   static const targets::KeyTable keys = file_keys({
       {"structure", value::map(bodies_structure_keys()), targets::needed, "its bodies and hinges, at rest"},
-      {"drive", value::map(turn_keys()), {}, "what is turned, and how far; without it the structure rests"},
-      {"tolerance", value::map(tolerance_keys()), {}, "how near is near enough"},
+      {"drive", value::map(turn_keys()), {}, "actuation. Without it the structure stays at rest"},
+      {"tolerance", value::map(tolerance_keys()), {}, "limits for a met goal"},
   });
   return keys;
 }
@@ -378,7 +382,8 @@ Design read_bodies(const targets::Node& node) {
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
     auto* pull = design.drive ? std::get_if<model::BodyPull>(&*design.drive) : nullptr;
     if (const auto given = tolerance.optional("pull"); given && !(pull && pull->poses))
-      throw given->error("is of bodies that are pulled to `drive.poses`. Give these as well, or take it out");
+      throw given->error(
+          "only applies to bodies that are pulled to `drive.poses`. Add `drive.poses`, or remove the key");
     if (pull && pull->poses) tolerance.read("pull", pull->tolerance, pull_bounds);
   }
   return design;

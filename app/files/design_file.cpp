@@ -40,7 +40,7 @@ targets::Default four_times(const std::string& text) {
 targets::KeyTable tuple_keys() {
   return targets::KeyTable({
       {"P", four(value::number(fraction)), four_times("0.5"),
-       "where the hinges sit on the cell's walls, counted around the cell"},
+       "positions of the hinges on the cell's walls, counted around the cell"},
       {"A_in_deg", four(value::angle(in_plane)), four_times("90"), "angles of the hinges within the sheet"},
       {"A_out_deg", four(value::angle(tilt)), four_times("0"), "tilts of the hinges out of the sheet"},
   });
@@ -51,25 +51,26 @@ targets::KeyTable pattern_keys() {
       {"even", tuple_keys(), "cells whose i + j is even"},
       {"odd", tuple_keys(), "cells whose i + j is odd"},
       {"shared", value::choice(shared_wall_choices), targets::by_default("must_agree"),
-       "what to do where two cells disagree about the wall between them: refuse the file, or take the "
-       "average"},
+       "action if two cells disagree about the wall between them: refuse the file, or use the average"},
   });
 }
 
 targets::KeyTable state_keys() {
   return targets::KeyTable({
-      {"theta_deg", value::angle(tilt), targets::by_default_deg(0), "the state to show; 0 is flat"},
+      targets::Key("fold_angle_deg", value::angle(tilt), targets::by_default_deg(0),
+                   "fold angle of the state that is shown. 0 is flat")
+          .formerly("theta_deg"),
       {"pattern", pattern_keys(),
        "hinges of all cells by the paper's tuples, alternating like a checkerboard"},
       {"hinges", value::list(value::map(hinge_entry_keys()), "a list of hinges", 0), targets::no_default,
-       "single hinges; one that is named here takes nothing from the pattern"},
+       "single hinges. They replace those of the pattern"},
   });
 }
 
 void check_kind_of_file(const targets::Node& root) {
   refuse_result(root);
   if (root.kind() == targets::Node::Kind::map && !root.optional("design") && root.optional("target"))
-    throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
+    throw root.error("this file is a target, not a design. Search it first with `kinetix-opt TARGET.yaml`");
 }
 
 model::Lattice read_structure(const targets::Section& root) {
@@ -99,8 +100,8 @@ void read_pattern(const targets::Section& design, model::Lattice& sheet) {
   if (!pattern.given()) return;
   model::Structure* squares = sheet.squares();
   if (!squares)
-    throw pattern.node().key_error("tuples of four are of cells of four walls: not with lattice: " +
-                                   lattice_name(sheet) + "; name single `hinges`");
+    throw pattern.node().key_error("a pattern needs cells of four walls, and the lattice is `" +
+                                   lattice_name(sheet) + "`. List single `hinges` instead");
   const model::CellTuple even = read_tuple(pattern.section("even")), odd = read_tuple(pattern.section("odd"));
   SharedWalls shared = SharedWalls::must_agree;
   pattern.read("shared", shared, shared_wall_choices);
@@ -123,12 +124,12 @@ void read_hinges(const targets::Section& design, Design& file) {
   const WallReader walls(structure);
   std::vector<int> line_of(static_cast<std::size_t>(structure.hinges()), 0);
   for (const targets::Node& node :
-       list->list("a list of hinges, e.g. `- {wall: [[0, 0], [1, 0]], beta_deg: 30}`")) {
+       list->list("a list of hinges, e.g. `- {wall: [[0, 0], [1, 0]], tilt_deg: 30}`")) {
     const targets::Section hinge(node, hinge_entry_keys());
     const int k = walls.hinge_of(hinge);
     if (line_of[k] > 0)
-      throw node.error("the wall " + wall_name(structure, k) + " is named twice, first in line " +
-                       std::to_string(line_of[k]) + "; name it once");
+      throw node.error("the wall " + wall_name(structure, k) + " is listed twice, first in line " +
+                       std::to_string(line_of[k]) + ". Remove one of the two entries");
     line_of[k] = node.place().line;
     structure.hinge(k) = read_parameters(hinge, structure.size().edge_mm);
     if (const targets::Section own = hinge.section("hinge"); own.given())
@@ -141,7 +142,7 @@ void read_state(const targets::Section& root, Design& file) {
   const targets::Section design = root.section("design");
   read_pattern(design, file.structure);
   read_hinges(design, file);
-  design.read("theta_deg", file.theta);
+  design.read("fold_angle_deg", file.theta);
 }
 
 /// Reads the section `hinge`. If single walls have stiffnesses, all hinges are elastic unless the section names its
@@ -152,7 +153,7 @@ HingeSection read_common_hinge(const targets::Section& root, const Design& file)
     hinge.model = HingeSection::Model::elastic;
   if (hinge.model == HingeSection::Model::elastic && !(hinge.k_turn > 0))
     throw root.section("hinge").optional("k_turn")->error(
-        "0 is out of range where hinges are elastic; allowed: a number above 0, in N mm/rad");
+        "0 is out of range for elastic hinges. Give a number above 0, in N mm/rad");
   return hinge;
 }
 
@@ -167,8 +168,10 @@ void check_gaps(const targets::Section& root, const Design& file) {
         (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();
     if (made->gap_mm < length) continue;
     const auto at = root.optional(file.hinge_overrides.contains(h) ? "design" : "hinge");
-    throw at->error(fmt::format("a gap of {:g} mm is longer than wall {}, {:.4g} mm; allowed: below that",
-                                made->gap_mm, wall_name(file.structure, h), length));
+    throw at->error(
+        fmt::format("the gap of {:.4g} mm does not fit on wall {}, which is {:.4g} mm long. "
+                    "Give a smaller gap_mm, or a longer wall",
+                    made->gap_mm, wall_name(file.structure, h), length));
   }
 }
 
@@ -227,17 +230,18 @@ const targets::KeyTable& hinge_entry_keys() {
   using Hinge = model::HingeParameters;
   static const targets::KeyTable keys({
       wall_key(),
-      {"t", &Hinge::t, value::number(fraction), "where the hinge sits on the wall, from its lower vertex"},
+      targets::Key("hinge_position", &Hinge::t, value::number(fraction),
+                   "position of the hinge along the wall, from its lower vertex (0) to its upper vertex (1)")
+          .formerly("t"),
       {"alpha_deg", &Hinge::alpha, value::angle(in_plane),
        "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
-      {"beta_deg", &Hinge::beta, value::angle(tilt),
-       "how far the wall leans from upright, and its hinge with it"},
+      targets::Key("tilt_deg", &Hinge::beta, value::angle(tilt),
+                   "tilt of the wall from upright. Its hinge tilts with it")
+          .formerly("beta_deg"),
       {"offset_mm", value::length(offset), targets::by_default(Hinge{}.offset),
-       "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
-       "(towards "
-       "z x e)"},
-      {"hinge", single_hinge_keys(),
-       "what the hinge of this wall is made of, where it is not what `hinge` says of all"},
+       "distance of the hinge from the middle of the wall, to the left as seen from its lower vertex "
+       "(towards z x e)"},
+      {"hinge", single_hinge_keys(), "material and shape of this wall's hinge, if it differs from `hinge`"},
   });
   return keys;
 }
@@ -257,7 +261,7 @@ std::string design_at(const std::string& source) {
   if (path.filename() == "result.json" && fs::exists(beside, failure)) return beside.string();
   if (!fs::is_directory(path, failure)) return source;
   if (fs::exists(inside, failure)) return inside.string();
-  throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
+  throw InvalidInput(source + ": this folder has no design.yaml. Give a design, or the folder of a result");
 }
 
 Design read_design(const std::string& path) {
@@ -267,10 +271,10 @@ Design read_design(const std::string& path) {
 const targets::KeyTable& design_keys() {
   static const targets::KeyTable keys = file_keys({
       lattice_structure_key(),
-      {"design", state_keys(), "where every hinge sits and how it is tilted"},
+      {"design", state_keys(), "position and tilt of every hinge, and the state that is shown"},
       drive_key(),
-      {"hinge", hinge_keys(), "what the hinges are made of"},
-      {"physics", physics_keys(), "settings of the physics run"},
+      {"hinge", hinge_keys(), "kind, material and stiffness of the hinges"},
+      {"physics", physics_keys(), "settings of the simulation"},
       design_process_key(),
       bed_key(),
       lock_key(),

@@ -16,18 +16,18 @@ model::Wall read_wall(const targets::Node& node) {
     if (wall.to() == to) return wall;
     const model::Wall reversed{to, axis};
     if (reversed.to() == from)
-      throw node.error("runs from its upper to its lower vertex; write " + to_string(reversed) +
-                       ", and count t, alpha and beta from " + to_string(to));
+      throw node.error("the wall runs from its upper to its lower vertex. Write " + to_string(reversed) +
+                       ", and measure position and angles from " + to_string(to));
   }
   throw node.error("vertices " + to_string(from) + " and " + to_string(to) +
-                   " are not neighbours; a wall is one step along x or y, e.g. [[0, 0], [1, 0]]");
+                   " are not neighbours. Give a wall of one step along x or y, e.g. [[0, 0], [1, 0]]");
 }
 
 int square_hinge(const targets::Node& node, const model::Structure& structure) {
   const model::Wall wall = read_wall(node);
   if (const auto hinge = structure.hinge_at(wall)) return *hinge;
   throw node.error("the structure has no wall " + to_string(wall) +
-                   "; a wall is a side of one of structure.cells");
+                   ". Give a side of one of structure.cells");
 }
 
 int numbered_hinge(const targets::Node& node, const model::Lattice& sheet,
@@ -36,9 +36,10 @@ int numbered_hinge(const targets::Node& node, const model::Lattice& sheet,
   const int last = sheet.bodies() - 1, from = ends[0].integer(0, last), to = ends[1].integer(0, last);
   if (const auto hinge = hinge_between.find({from, to}); hinge != hinge_between.end()) return hinge->second;
   if (const auto hinge = hinge_between.find({to, from}); hinge != hinge_between.end())
-    throw node.error("runs the other way; write " + wall_name(sheet, hinge->second) +
-                     ", and count t, alpha, beta and the offset from vertex " + std::to_string(to));
-  throw node.error("no wall joins vertices " + std::to_string(from) + " and " + std::to_string(to));
+    throw node.error("the wall runs the other way. Write " + wall_name(sheet, hinge->second) +
+                     ", and measure position, angles and offset from vertex " + std::to_string(to));
+  throw node.error("no wall joins vertices " + std::to_string(from) + " and " + std::to_string(to) +
+                   ". Give a wall by the two vertices that result.json lists for its hinge");
 }
 
 }  // namespace
@@ -54,8 +55,8 @@ targets::Key wall_key(std::string with, targets::Default fallback) {
           {targets::value::list(vertex_type(), "`[[i, j], [i, j]]`", 2, 2),
            targets::value::list(targets::value::integer(0, highest_number), "`[number, number]`", 2, 2)}),
       std::move(fallback),
-      "the wall: of squares its lower or left vertex, then the next one along x or y; of other lattices the "
-      "numbers of its two vertices, as in result.json",
+      "the wall. For squares: its lower or left vertex, then the next one along x or y. For other lattices: "
+      "the numbers of its two vertices, as in result.json",
       std::move(with)};
 }
 
@@ -98,13 +99,13 @@ constexpr targets::Word<int> signs[] = {{"1", 1}, {"-1", -1}};  // of `branch` a
 
 targets::Key side_key() {
   return {"side", value::choice(signs), targets::by_default("1"),
-          "which way to leave a bifurcation that the drive leaves open"};
+          "direction at a bifurcation that the drive leaves open"};
 }
 
 targets::Key branch_key(const char* with) {
-  return {"branch", value::choice(signs), targets::otherwise("that of `design.theta_deg`"),
-          std::string(with) == "cord" ? "sign of theta where the cord pulls to both sides alike"
-                                      : "sign of theta",
+  return {"branch", value::choice(signs), targets::otherwise("the sign of `design.fold_angle_deg`"),
+          std::string(with) == "cord" ? "sign of the fold angle if the cord pulls equally to both sides"
+                                      : "sign of the fold angle",
           with};
 }
 
@@ -122,8 +123,8 @@ model::Grip read_corners(const targets::Node& node) {
 model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::Lattice& structure) {
   const model::Structure* squares = structure.squares();
   if (!squares)
-    throw node.key_error("a part to grip is a rectangle of squares: not with lattice: " +
-                         lattice_name(structure) + "; plates grip the rim");
+    throw node.key_error("a part to grip is a rectangle of squares, and the lattice is `" +
+                         lattice_name(structure) + "`. Remove the key: plates then grip the boundary");
   const model::Grip grip = read_corners(node);
   node.located([&] {
     validate(grip, axis, *squares);
@@ -136,34 +137,34 @@ const targets::KeyTable& drive_keys() {
   static const targets::KeyTable keys(
       {
           {"kind", value::choice({"plates", "hinge", "cord", "shape_memory"}), targets::needed,
-           "what moves the structure"},
+           "actuation of the structure"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the two plates", "plates"},
           {"compression", value::number(fraction), targets::needed,
-           "1 less the final over the initial distance of the plates", "plates"},
+           "relative shortening: 1 minus the ratio of final to initial distance of the plates", "plates"},
           branch_key("plates"),
           {"grip", value::list(vertex_type(), "`[[i0, j0], [i1, j1]]`", 2, 2),
-           targets::otherwise("the rim; of a net its base or spine"),
-           "the part that the plates grip: its lower left and upper right vertex", "plates"},
+           targets::otherwise("the boundary; for a net its base or spine"),
+           "part that the plates grip: its lower left and upper right vertex", "plates"},
           press_key(),
           wall_key("hinge"),
           {"angle_deg", value::angle(turn), targets::needed,
-           "turn of the wall's half at its upper vertex against that at its lower one", "hinge"},
+           "rotation of the wall's half at its upper vertex relative to the half at its lower vertex",
+           "hinge"},
           walls_key("through", 2, targets::needed,
-                    "the walls through whose hinge points the cord runs, in its order; two that share a "
-                    "vertex keep their "
-                    "distance, whatever the sheet does",
+                    "walls through whose hinge points the cord runs, in order. The distance of two walls "
+                    "that share a vertex never changes",
                     "cord"),
           {"shorten_mm", value::number(targets::above(0, "mm (below the cord's length)")), targets::needed,
-           "by how much the whole cord gets shorter; it pulls and never pushes", "cord"},
+           "shortening of the whole cord. A cord only pulls", "cord"},
           branch_key("cord"),
           {"angle_deg", value::angle(turn), targets::needed,
-           "turn at which the hot springs rest: that of a hinge at theta = `angle_deg` / 2 in the sense of "
-           "the "
-           "checkerboard",
+           "rest angle of the hot springs. Hinges have this rotation at a fold angle of `angle_deg` / 2, "
+           "with "
+           "the signs of the checkerboard",
            "shape_memory"},
           {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed,
-           "stiffness of the spring in each hinge, besides that of the hinge", "shape_memory"},
-          walls_key("walls", 1, targets::otherwise("all"), "the walls whose hinges have such a spring",
+           "stiffness of the spring in each hinge, in addition to that of the hinge", "shape_memory"},
+          walls_key("walls", 1, targets::otherwise("all"), "walls whose hinges have such a spring",
                     "shape_memory"),
           side_key(),
       },
@@ -179,8 +180,8 @@ const targets::KeyTable& side_only_keys() {
 
 bool is_side_alone(const targets::Node& drive) {
   if (!drive.optional("side")) return false;
-  for (const std::string_view key : drive_keys().names())
-    if (key != "side" && drive.optional(key)) return false;
+  for (const targets::Key& key : drive_keys().keys())
+    if (key.name != "side" && (drive.optional(key.name) || drive.optional(key.old_name))) return false;
   return true;
 }
 
@@ -191,7 +192,7 @@ model::Drive read_plates(const targets::Node& node, const model::Lattice& struct
   section.read("axis", drive.axis, axes);
   section.read_needed("compression", "a number above 0 and below 1", drive.compression);
   section.read("branch", drive.branch, signs);
-  section.read("press", drive.press);
+  section.read("push_only", drive.press);
   if (const auto grip = section.optional("grip")) drive.grip = read_grip(*grip, drive.axis, structure);
   return drive;
 }
@@ -209,7 +210,7 @@ std::vector<int> read_walls(const targets::Node& node, const model::Lattice& str
   const WallReader walls(structure);
   std::vector<int> hinges;
   for (const targets::Node& wall : node.list("a list of walls")) hinges.push_back(walls.hinge_of(wall));
-  if (hinges.empty()) throw node.error("names no wall; allowed: at least one");
+  if (hinges.empty()) throw node.error("the list has no wall. Give at least one");
   return hinges;
 }
 
@@ -266,7 +267,7 @@ struct DriveText {
     return fmt::format("kind: plates, axis: {}, compression: {}{}{}{}", to_string(plates.axis),
                        targets::shortest_text(plates.compression), branch_text(plates.branch),
                        plates.grip ? ", grip: " + to_string(*plates.grip) : "",
-                       plates.press ? ", press: true" : "");
+                       plates.press ? ", " + press_key().written_name() + ": true" : "");
   }
 
   std::string operator()(const model::HingeTurn& turn) const {
@@ -303,16 +304,18 @@ struct DriveDescription {
 }  // namespace
 
 targets::Key press_key() {
-  return {
-      "press", value::boolean(), targets::by_default("false"),
-      "`true`: plates push the vertices of their rows and do not hold them, so that vertices may leave their "
-      "plate; only with elastic hinges (`--model equilibrium`, or a physics run of them)",
-      "plates"};
+  return targets::Key("push_only", value::boolean(), targets::by_default("false"),
+                      "`true`: plates push the vertices of their rows and do not hold them. Vertices may "
+                      "leave their plate. Needs elastic hinges (`--model equilibrium`, or a simulation of "
+                      "them)",
+                      "plates")
+      .formerly("press");
 }
 
 targets::Key drive_key() {
   return {"drive", value::either({value::map(drive_keys()), value::map(side_only_keys())}),
-          targets::otherwise("to `design.theta_deg`"), "how the structure is moved; `side` may stand alone"};
+          targets::otherwise("to `design.fold_angle_deg`"),
+          "actuation of the structure. `side` may be its only key"};
 }
 
 std::optional<model::Drive> read_drive_section(const targets::Section& root,

@@ -11,8 +11,7 @@ namespace {
 constexpr int supported_version = 1;       // the only version of the file format
 constexpr std::size_t longest_name = 100;  // characters: file systems allow 255, endings included
 // Description of allowed names in messages and the documentation.
-constexpr const char* wanted_name =
-    "1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point, since it names a folder";
+constexpr const char* wanted_name = "1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point";
 
 bool is_allowed(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
@@ -29,13 +28,12 @@ std::string file_stem(const targets::Section& root) {
 }  // namespace
 
 targets::KeyTable file_keys(std::vector<targets::Key> own) {
-  own.insert(
-      own.begin(),
-      {{"kinetix", targets::value::integer(supported_version, supported_version), targets::needed,
-        "version of the file format"},
-       {"name", targets::value::text(wanted_name),
-        targets::otherwise("the file's name without its ending, with `_` for what a name may not hold"),
-        "name of the result and of its folder"}});
+  own.insert(own.begin(),
+             {{"kinetix", targets::value::integer(supported_version, supported_version), targets::needed,
+               "version of the file format"},
+              {"name", targets::value::text(wanted_name),
+               targets::otherwise("the file's name without its ending, with `_` for other characters"),
+               "name of the result and of its folder"}});
   return targets::KeyTable(std::move(own));
 }
 
@@ -46,18 +44,18 @@ void refuse_result(const targets::Node& root) {
   if (!schema || schema->kind() != targets::Node::Kind::scalar) return;
   const fs::path beside = fs::path(root.folder()) / "design.yaml";
   std::error_code failure;  // ignored: in a folder that cannot be read no design is found
-  throw root.error("this is a result, and what can be run or exported is its design; give " +
-                   (fs::exists(beside, failure)
-                        ? beside.string()
-                        : std::string("the design.yaml that was written with it, which is not beside it")));
+  throw root.error(
+      "this file is a result, not a design. Give " +
+      (fs::exists(beside, failure)
+           ? beside.string()
+           : std::string("the design.yaml that was written with it, which is not in its folder")));
 }
 
 void check_version(const targets::Section& root) {
   const targets::Node version = root.required("kinetix", "`kinetix: 1`, the version of the file format");
   const int number = version.integer(0, 1'000'000);
   if (number != supported_version)
-    throw version.error("version " + std::to_string(number) +
-                        " is not supported; this program reads version 1");
+    throw version.error("version " + std::to_string(number) + " is not supported. Write `kinetix: 1`");
 }
 
 targets::Section read_root(const targets::Node& node, const targets::KeyTable& keys) {
@@ -76,7 +74,7 @@ std::string usable_name(const targets::Node& node) {
   const std::string name = node.text(wanted_name);
   const bool is_good = std::all_of(name.begin(), name.end(), is_allowed) && name[0] != '.';
   if (!is_good || name.size() > longest_name)
-    throw node.error(std::string("is not a usable name; give ") + wanted_name);
+    throw node.error(std::string("the name cannot be the name of a folder. Give ") + wanted_name);
   return name;
 }
 

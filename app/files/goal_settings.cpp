@@ -27,7 +27,8 @@ void check_reach(const targets::Section& root, const targets::Section& physics) 
   for (const char* key : {"reach_mm", "kind"})
     if (hinge->optional(key))
       throw physics.optional("reach_mm")
-          ->key_error("and hinge." + std::string(key) + " say the same thing; give one of them");
+          ->key_error("cannot be combined with hinge." + std::string(key) +
+                      ", which sets the same length. Remove one of the two keys");
 }
 
 }  // namespace
@@ -37,25 +38,25 @@ const targets::KeyTable& physics_keys() {
   static const targets::KeyTable keys(
       {
           {"solver", value::choice({only_solver}), targets::by_default(only_solver),
-           "how the joints of a step are solved: all at once, by a sparse factorisation, which is exact also "
-           "for long chains and closed loops"},
+           "solver of the joints of a step. `direct` solves all at once by a sparse factorisation, which is "
+           "exact also for long chains and closed loops"},
           {"step_s", &PhysicsSection::step_s, value::number({0, 0.1, false, true, "seconds"}),
-           targets::otherwise(
-               "0.01; 0.004, then 0.001 where that run does not settle where the model says; 0.001 "
-               "alone where there is no model to compare with"),
+           targets::otherwise("0.01; 0.004, then 0.001 if that run does not end at the model's state; 0.001 "
+                              "without a model to "
+                              "compare with"),
            "time step"},
           {"disturbance", &PhysicsSection::disturbance, value::number(targets::from_to(0, 1)),
            targets::by_default(usual.disturbance),
-           "how far the first motion of every part is thrown off at random, over its spin: whether the run "
-           "still ends where it should"},
+           "random disturbance of the first motion of every part, relative to its spin. It shows whether the "
+           "simulation still ends in the same state"},
           {"disturbance_seed", &PhysicsSection::disturbance_seed,
            value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
-           "another number throws the parts another way"},
+           "seed of the disturbance"},
           {"reach_mm", &PhysicsSection::reach_mm,
            value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
-           targets::otherwise("`hinge.reach_mm`, or that of a made hinge; else " +
+           targets::otherwise("`hinge.reach_mm`, or that of a hinge with a `kind`; else " +
                               targets::shortest_text(usual.reach) + " cells"),
-           "half distance of the two points at which a hinge holds its bodies together"},
+           "half the distance of the two points at which a hinge joins its bodies"},
       },
       {}, "Section physics",
       {
@@ -87,21 +88,21 @@ constexpr targets::Word<Symmetry> symmetries[] = {{"none", Symmetry::none},
                                                   {"rotate_2", Symmetry::rotate_2},
                                                   {"rotate_4", Symmetry::rotate_4}};
 
-constexpr targets::Word<bool> kinds[] = {{"usual", false},
-                                         {"shape_memory", true}};  // whether springs fold it
+// Words of the key `kind`: whether springs fold the sheet. `usual` is the earlier name of `auto`.
+constexpr targets::Word<bool> kinds[] = {{"auto", false}, {"shape_memory", true}, {"usual", false}};
 
 const targets::KeyTable& keys() {
   static const targets::KeyTable all(
       {
-          {"kind", value::choice(kinds), targets::by_default("usual"),
-           "`usual`: two plates, or one hinge that is turned, whichever folds the sheet's family most "
-           "evenly; `shape_memory`: a spring in each hinge whose rest angle goes from flat to that of the "
-           "design, as "
-           "that of a shape-memory material when it is heated"},
-          {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed, "of each such spring",
-           "shape_memory"},
+          {"kind", value::choice(kinds), targets::by_default("auto"),
+           "`auto`: two plates or one turned hinge, depending on which folds the sheet's family most evenly. "
+           "`shape_memory`: a spring in each hinge, whose rest angle changes from flat to that of the "
+           "design. "
+           "A heated shape-memory material acts like this"},
+          {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed,
+           "rotation stiffness of each such spring", "shape_memory"},
       },
-      {{"usual", "shape_memory"}, "kind"});
+      {{"auto", "shape_memory"}, "kind"});
   return all;
 }
 
@@ -121,7 +122,7 @@ std::optional<double> read_robust(const targets::Section& root) {
 void refuse_idle_drive(const targets::Section& root, const GoalSettings& settings) {
   if (!settings.drive || settings.hinge.model == HingeSection::Model::elastic) return;
   throw root.optional("drive")->key_error(
-      "shape_memory needs elastic hinges, which its springs turn: give `hinge:`, such as `hinge: "
+      "shape_memory needs elastic hinges, which its springs turn. Add `hinge:`, such as `hinge: "
       "{kind: film, material: pp, gap_mm: 2, thickness_mm: 0.4}`");
 }
 
@@ -133,7 +134,9 @@ double read_tilt(const targets::Section& beta, double usual) {
   beta.read("range_deg", range);
   if (!(range[0] < 0 && range[1] > 0))
     throw beta.optional("range_deg")
-        ->error("leaves one sign out: tilts alternate in sign along a crease; give a range around 0");
+        ->error(
+            "the range has one sign only, and tilts alternate in sign along a crease. Give a range "
+            "around 0");
   return std::min(-range[0], range[1]);
 }
 
@@ -163,9 +166,9 @@ targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::
       {"name", value::choice(words), targets::by_default(words[0].c_str()), meaning}};
   if (starts)
     keys.push_back({"starts", &SolverSection::starts, value::integer(1, 10'000), targets::by_default(*starts),
-                    "searches, each from another start"});
+                    "number of searches, each from another start"});
   keys.push_back({"max_evaluations", &SolverSection::max_evaluations, value::integer(1, 10'000'000),
-                  targets::by_default(max_evaluations), "most evaluations " + evaluations_unit});
+                  targets::by_default(max_evaluations), "limit of the evaluations " + evaluations_unit});
   return targets::KeyTable(std::move(keys));
 }
 
@@ -187,12 +190,12 @@ optim::Symmetry read_symmetry(const targets::Section& section, int columns, int 
   if (symmetry == Symmetry::rotate_4 && columns != rows)
     throw section.optional("symmetry")
         ->error("rotate_4 needs as many columns as rows, and structure.cells is [" + std::to_string(columns) +
-                ", " + std::to_string(rows) + "]; allowed here: none, mirror_x, mirror_y, rotate_2");
+                ", " + std::to_string(rows) + "]. Give none, mirror_x, mirror_y or rotate_2");
   return symmetry;
 }
 
 targets::Key goal_drive_key() {
-  return {"drive", value::map(keys()), {}, "what moves the sheet where its hinges are elastic (`hinge`)"};
+  return {"drive", value::map(keys()), {}, "actuation of a sheet with elastic hinges (`hinge`)"};
 }
 
 std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root) {
@@ -200,7 +203,7 @@ std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root) 
   if (!node) return std::nullopt;
   const auto kind = node->optional("kind");
   const bool by_springs = kind && read_word(*kind, kinds);
-  const targets::KeyTable own = keys().only(by_springs ? "shape_memory" : "usual");
+  const targets::KeyTable own = keys().only(by_springs ? "shape_memory" : "auto");
   const targets::Section section(*node, own);
   if (!by_springs) return std::nullopt;
   model::ShapeMemory springs;
@@ -221,15 +224,15 @@ void note_process(const GoalSettings& settings, const model::CellSize& size,
 }
 
 targets::Key robust_key(const std::string& over) {
-  return {"robust",
-          targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
-          targets::by_default("false"),
-          "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to "
-          "it, over " +
-              over +
-              "; a number weighs what prints are expected to be off against what the design itself is, with "
-              "the rest "
-              "to 1: `true` is 1"};
+  return {
+      "robust",
+      targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
+      targets::by_default("false"),
+      "selects the design whose [prints](hinges.md#4-as-made) are expected to be nearest to the goal, among "
+      "those that meet it. The choice is over " +
+          over +
+          ". A number is the weight of the expected print error, and the error of the design itself has the "
+          "rest to 1. `true` is 1"};
 }
 
 targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hinge,
@@ -238,7 +241,7 @@ targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hi
     own.push_back({"hinge", hinge_keys(), hinge});
     own.push_back(goal_drive_key());
   }
-  own.push_back({"physics", physics_keys(), "settings of the physics run"});
+  own.push_back({"physics", physics_keys(), "settings of the simulation"});
   own.push_back(process_key());
   own.push_back(bed_key());
   own.push_back(lock_key());
@@ -248,7 +251,7 @@ targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hi
 
 targets::Key verify_key(double usual) {
   return {"verify", &GoalSettings::verify_tolerance, targets::value::number(targets::part_of_one),
-          targets::by_default(usual), "most of [verify_rms](#verify_rms-and-verify_max), cell edges"};
+          targets::by_default(usual), "limit of [verify_rms](#verify_rms-and-verify_max), in cell edges"};
 }
 
 void read_settings(const targets::Section& root, double edge_mm, GoalSettings& settings) {
@@ -266,8 +269,8 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
   settings.hinge.kind = read_open_kind(root);
   if (const auto hinge = root.optional("hinge"); hinge && !size && !settings.hinge.kind)
     throw hinge->key_error(
-        "needs structure.cell_mm: a hinge has its size, and cells that are left out get theirs by the "
-        "search");
+        "the size of a hinge needs a known cell size, and the search chooses it. Add structure.cell_mm, or "
+        "give `kind` as the only key");
   settings.drive = read_goal_drive(root);
   if (size) {
     settings.hinge = read_hinge_section(root, *size);
@@ -283,36 +286,42 @@ targets::Key tilt_range_key(const optim::AngleRange& usual) {
           targets::by_default_deg(usual.lower, usual.upper), "smallest and largest tilt of a hinge"};
 }
 
-targets::Key theta_key(const optim::AngleRange& usual) {
-  return {"theta",
-          targets::KeyTable(
-              {{"range_deg", value::angle_range(fold), targets::by_default_deg(usual.lower, usual.upper),
-                "smallest and largest theta, cut where the walls close the cells"}}),
-          "the fold parameter, one for the whole sheet"};
+targets::Key fold_angle_key(const optim::AngleRange& usual) {
+  return targets::Key("fold_angle",
+                      targets::KeyTable({{"range_deg", value::angle_range(fold),
+                                          targets::by_default_deg(usual.lower, usual.upper),
+                                          "smallest and largest fold angle, up to where the walls close the "
+                                          "cells"}}),
+                      "fold angle, one for the whole sheet")
+      .formerly("theta");
 }
 
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta) {
   targets::Key range = tilt_range_key({-tilt, tilt});
-  range.meaning += "; holds 0 inside, and the nearer end counts for both signs, since tilts alternate";
+  range.meaning +=
+      ". The range contains 0. Tilts alternate in sign, so the end nearer to 0 limits both signs";
   return targets::KeyTable(
-      {{"beta", targets::KeyTable({range}), "the tilts of the hinges"}, theta_key(theta)});
+      {targets::Key("tilt", targets::KeyTable({range}), "tilts of the hinges").formerly("beta"),
+       fold_angle_key(theta)});
 }
 
 optim::AngleRange read_theta(const targets::Section& root, const model::CellSize& size,
                              const optim::AngleRange& usual) {
-  const targets::Section variables = root.section("variables"), theta = variables.section("theta");
+  const targets::Section variables = root.section("variables"), theta = variables.section("fold_angle");
   optim::AngleRange range = usual;
   theta.read("range_deg", range);
   const double closing = closing_theta(size);
   if (range.lower < closing) return range;
   throw place_of_theta(root, variables, theta)
-      .error(fmt::format("theta starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
-                         to_degrees(closing), size.thickness_mm, size.edge_mm));
+      .error(fmt::format(
+          "the range of the fold angle starts above {:.3g} deg, where walls of {:.3g} mm close cells "
+          "of {:.3g} mm. Lower variables.fold_angle.range_deg, or give thinner walls",
+          to_degrees(closing), size.thickness_mm, size.edge_mm));
 }
 
 NetVariables read_net_variables(const targets::Section& root, const model::CellSize& size,
                                 const NetVariables& usual) {
-  const double tilt = read_tilt(root.section("variables").section("beta"), usual.tilt);
+  const double tilt = read_tilt(root.section("variables").section("tilt"), usual.tilt);
   return {tilt, read_theta(root, size, usual.theta)};
 }
 

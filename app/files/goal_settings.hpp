@@ -89,8 +89,9 @@ void note_process(const GoalSettings& settings, const model::CellSize& size, std
 targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hinge,
                             std::vector<targets::Key> more = {});
 /// Meanings of the key `hinge`: for cells whose size is known before the search, and for cells sized by the search.
-inline constexpr const char* any_hinge = "what the hinges are made of";
-inline constexpr const char* sized_hinge = "what the hinges are made of; needs `structure.cell_mm`";
+inline constexpr const char* any_hinge = "kind, material and stiffness of the hinges";
+inline constexpr const char* sized_hinge =
+    "kind, material and stiffness of the hinges. Sizes need `structure.cell_mm`";
 
 /// Returns the key `tolerance.verify`.
 targets::Key verify_key(double usual = GoalSettings::default_verify_tolerance);
@@ -101,7 +102,7 @@ void read_settings(const targets::Section& root, double edge_mm, GoalSettings& s
 
 /// Returns the key `robust`. @param over choices of such a search, in words
 targets::Key robust_key(const std::string& over =
-                            "theta where the search is free to choose it, and over gaps of "
+                            "the fold angle, if the search is free to choose it, and over gaps of "
                             "blocks and films");
 
 /// Reads the hinges, their drive and the process that makes them.
@@ -112,12 +113,12 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
 
 /// Returns a key of a `variables:` section; angles in radians.
 targets::Key tilt_range_key(const optim::AngleRange& usual);
-/// Returns the key `theta` of a `variables:` section. @param usual rad
-targets::Key theta_key(const optim::AngleRange& usual);
+/// Returns the key `fold_angle` of a `variables:` section. @param usual rad
+targets::Key fold_angle_key(const optim::AngleRange& usual);
 /// Returns the whole section of a net. @param tilt largest, rad, of either sign
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta);
 
-/// Reads `theta: {range_deg: [2, 44]}` of a file's variables.
+/// Reads `fold_angle: {range_deg: [2, 44]}` of a file's variables.
 /// @param root the whole document
 /// @param usual default
 /// @return rad, within (0, 45) deg
@@ -131,7 +132,7 @@ struct NetVariables {
   optim::AngleRange theta;  ///< rad
 };
 
-/// Reads `variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}` of a file.
+/// Reads `variables: {tilt: {range_deg: [-60, 60]}, fold_angle: {range_deg: [2, 44]}}` of a file.
 /// @throws InvalidInput for tilts of one sign alone, and as read_theta
 NetVariables read_net_variables(const targets::Section& root, const model::CellSize& size,
                                 const NetVariables& usual);

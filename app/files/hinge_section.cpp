@@ -40,7 +40,7 @@ const targets::KeyTable& material_keys() {
       {"nu", &model::Material::nu, value::number(poisson), targets::needed_as("Poisson's ratio"),
        "Poisson's ratio"},
       {"strain_max", &model::Material::strain_max, value::number(strain), targets::needed_as("a strain"),
-       "the largest strain that it withstands repeatedly"},
+       "largest strain that the material withstands repeatedly"},
   });
   return keys;
 }
@@ -64,59 +64,63 @@ const targets::KeyTable& stiffness_keys() {
 }
 
 std::string material_meaning() {
-  std::string text = "what a made hinge consists of:";
+  std::string text = "material of a hinge with a `kind`:";
   for (const model::Material& m : model::materials())
     text += fmt::format("{} `{}` {:g} MPa, nu {:g}, strain {:g}",
                         &m == &model::materials().front() ? "" : ";", m.name, m.E_mpa, m.nu, m.strain_max);
-  return text + "; or one of your own";
+  return text + "; or a custom material";
 }
 
 std::vector<targets::Key> stiffness_and_shape() {
   static const HingeSection usual{};
   return {
       {"k_point", &HingeSection::k_point, value::number(targets::above(0, "N/mm")),
-       "stiffness of each of two points on the axis, `reach_mm` to either side, against pulling the two "
-       "halves of a "
-       "wall apart, in every direction: N is `k: {axial: 2 N, shear: 2 N, along: 2 N}`"},
+       "stiffness against joint separation, in every direction, of each of two points on the axis at "
+       "`reach_mm` to either side. `k_point: N` equals `k: {axial: 2 N, shear: 2 N, along: 2 N}`"},
       {"k_turn", value::number(targets::at_least(0, "N mm/rad")), targets::by_default(usual.k_turn),
-       "stiffness against turning; above 0 where hinges are elastic"},
+       "rotation stiffness. Elastic hinges need a value above 0"},
       {"k", stiffness_keys(),
-       "stiffness of the whole hinge by the directions of its own frame, instead of `k_point` and `k_turn`"},
+       "stiffness of the whole hinge in the directions of its frame. It replaces `k_point` and `k_turn`"},
       {"reach_mm", &HingeSection::reach_mm,
        value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
        targets::otherwise(
-           "0.18 cells; of a made hinge its height over the root of 12, with `play` half of it"),
-       "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
-       "tilting"},
+           "0.18 cells; with a `kind` the hinge's height over the root of 12, and half its height with "
+           "`play`"),
+       "half the distance of the two points at which a hinge joins its bodies. It sets the stiffness against "
+       "bending and torsion"},
       {"kind", value::choice(kinds), targets::no_default,
-       "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
-       "knuckles with play; `block`, soft material in the gap between the halves of the wall; `film`, a thin "
-       "film over the gap; `rod`, a pin whose rod is a separate part or a wire, pushed in after printing. "
-       "With no other key, hinges stay joints and get the sizes that the process needs"},
+       "type of hinge, which determines its stiffness ([hinges](hinges.md)). `pin`: a print-in-place pin in "
+       "knuckles. `block`: rubber in the gap between the halves of the wall. `film`: a living hinge over the "
+       "gap. `rod`: a pin whose rod is a separate part or a wire, pushed in after printing. If `kind` is the "
+       "only key, hinges are computed as revolute joints and get the sizes that the process needs"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
-       targets::otherwise(fmt::format("needed; of a pin `{}`, of a rod `{}`", default_pin, default_rod)),
+       targets::otherwise(fmt::format("needed by blocks and films; `{}` for a pin, `{}` for a rod",
+                                      default_pin, default_rod)),
        material_meaning()},
       {"gap_mm", &ManufacturedHinge::gap_mm,
        value::length(targets::between(0, 1, "mm (below the cell edge)")),
        targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
       {"thickness_mm", value::number(targets::above(0, "mm")),
-       targets::otherwise("the wall's; needed by films"), "of a block or film, at most the wall's"},
+       targets::otherwise("the wall's; needed by films"),
+       "thickness of a block or film, at most that of the wall"},
       {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
-       "of the hinge along its axis, at most the wall's"},
+       "height of the hinge along its axis, at most that of the wall"},
       {"diameter_mm", &ManufacturedHinge::diameter_mm,
        value::length(targets::between(0, 0.5, "mm (below half a cell)")),
-       targets::otherwise(fmt::format("needed by pins; {:g} mm of a rod", model::usual_rod_mm)),
-       "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
+       targets::otherwise(fmt::format("needed by pins; {:g} mm for a rod", model::usual_rod_mm)),
+       "diameter of the rod of a pin. Its knuckle is wider by 1.6 mm and two clearances, and at most 0.7 "
+       "cells"},
       {"clearance_mm", &ManufacturedHinge::clearance_mm,
        value::length({0, 0.5, true, false, "mm (below half a cell)"}),
-       targets::by_default(default_clearance_mm), "of a pin or rod, between rod and bore, a side"},
+       targets::by_default(default_clearance_mm), "clearance between rod and bore of a pin, per side"},
       {"play", &ManufacturedHinge::with_play, value::boolean(),
-       "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
-       "then "
-       "loose, and their equilibrium is any of many"},
-      {"caps", &ManufacturedHinge::caps, value::boolean(),
-       "whether knuckles of a pin are round caps about the middle of their walls, as large as the hinge "
-       "furthest off its middle asks for, with their bores beside it: all look alike"},
+       "whether a pin moves freely within its clearance. Nothing resists in this dead band, so the "
+       "equilibrium of a sheet is not unique"},
+      targets::Key(
+          "round_caps", &ManufacturedHinge::caps, value::boolean(),
+          "whether all pins get identical round caps about the middle of their walls. The caps are as "
+          "large as the hinge with the largest offset needs, and hide where the axes are")
+          .formerly("caps"),
   };
 }
 
@@ -124,8 +128,8 @@ std::vector<targets::Key> keys_with(targets::Key model) {
   std::vector<targets::Key> keys = stiffness_and_shape();
   keys.insert(keys.begin(), std::move(model));
   keys.push_back({"k_contact", &HingeSection::k_contact, value::number(targets::above(0, "N/mm")),
-                  targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a made "
-                                     "hinge; of several the stiffest counts"),
+                  targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a `kind`; "
+                                     "of several hinges the stiffest counts"),
                   "stiffness of two walls pressed together"});
   return keys;
 }
@@ -133,10 +137,10 @@ std::vector<targets::Key> keys_with(targets::Key model) {
 constexpr int max_lines = 1000000;  // lines of a sheet: more than fit in a file
 
 targets::Key except_key() {
-  return {"except", value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
-          targets::no_default,
-          "hinges that are made otherwise than the rest: a crease of film in a panel of pins; of two entries "
-          "that hold one hinge the later counts"};
+  return {
+      "except", value::list(value::map(hinge_part_keys()), "a list of exceptions", 0), targets::no_default,
+      "hinges that differ from the rest, such as a living hinge along a crease in a panel of pins. If two "
+      "entries name the same hinge, the later one counts"};
 }
 
 /// Checks that a file gives a hinge in one way only.
@@ -146,15 +150,19 @@ void check_stiffness_keys(const targets::Section& section) {
     for (const char* key : others)
       if (const auto node = section.optional(key))
         throw node->key_error(
-            fmt::format("and hinge.{} are two ways to say how stiff a hinge is; give one of them", way));
+            fmt::format("cannot be combined with hinge.{}, which also sets the stiffness. Remove one of the "
+                        "two keys",
+                        way));
   };
   refuse("kind", {"k_point", "k_turn", "k", "reach_mm"});
   refuse("k", {"k_point", "k_turn"});
   if (section.optional("kind")) return;
-  for (const char* key :
-       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play", "caps"})
+  for (const char* key : {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm",
+                          "play", "round_caps"})
     if (const auto node = section.optional(key))
-      throw node->key_error("belongs to a made hinge; give `kind: pin`, `block`, `film` or `rod` as well");
+      throw node->key_error(
+          "only applies to a hinge with a `kind`. Add `kind: pin`, `block`, `film` or `rod`, or remove the "
+          "key");
 }
 
 model::Material read_material(const targets::Node& node) {
@@ -175,9 +183,10 @@ void check_kind(const targets::Section& section, HingeKind kind) {
       if (const auto node = section.optional(key)) throw node->key_error(why);
   };
   if (is_pin(kind))
-    refuse({"gap_mm", "thickness_mm"}, "belongs to blocks and films, not to pins");
+    refuse({"gap_mm", "thickness_mm"}, "only applies to blocks and films. Remove the key, or change `kind`");
   else
-    refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
+    refuse({"diameter_mm", "clearance_mm", "play", "round_caps"},
+           "only applies to pins and rods. Remove the key, or change `kind`");
 }
 
 /// Checks that the lengths that the kind needs are given.
@@ -249,7 +258,7 @@ HingeSection read_section(const targets::Section& root, const model::CellSize& s
   if (const auto node = section.optional("model")) hinge.model = read_word(*node, models);
   if (hinge.model == Model::rotary && has_parts)
     throw section.optional("model")->error(
-        "`rotary` hinges cannot stretch, and `except` names some that do; allowed: elastic");
+        "`rotary` hinges cannot stretch, and `except` lists hinges that do. Give `model: elastic`");
   return read_stiffness_or_shape(section, size, hinge);
 }
 
@@ -268,7 +277,7 @@ std::string format_manufactured_hinge(const model::ManufacturedHinge& h) {
           ? fmt::format("diameter_mm: {}, clearance_mm: {}", text(h.diameter_mm), text(h.clearance_mm))
           : fmt::format("gap_mm: {}, thickness_mm: {}", text(h.gap_mm), text(h.thickness_mm));
   return start + shape + ", height_mm: " + text(h.height_mm) + (h.with_play ? ", play: true" : "") +
-         (h.caps ? ", caps: true" : "");
+         (h.caps ? ", " + single_hinge_keys().at("round_caps").written_name() + ": true" : "");
 }
 
 std::string stiffness_text(const HingeSection& hinge) {
@@ -288,7 +297,7 @@ const targets::KeyTable& hinge_keys() {
         std::vector<targets::Key> all = keys_with(
             {"model", value::choice(models),
              targets::otherwise("`rotary`; `elastic` with `k`, `kind` or `except`, here or at a wall"),
-             "`rotary`: joints that cannot stretch; `elastic`: joints that give by the stiffnesses below"});
+             "`rotary`: revolute joints that cannot stretch. `elastic`: joints with the stiffnesses below"});
         all.push_back(except_key());
         return all;
       }(),
@@ -298,7 +307,7 @@ const targets::KeyTable& hinge_keys() {
 
 targets::KeyTable elastic_hinge_keys() {
   return targets::KeyTable(keys_with({"model", value::choice({"elastic"}), targets::by_default("elastic"),
-                                      "joints that give by the stiffnesses below"}));
+                                      "joints with the stiffnesses below"}));
 }
 
 const targets::KeyTable& single_hinge_keys() {
@@ -308,18 +317,17 @@ const targets::KeyTable& single_hinge_keys() {
 
 const targets::KeyTable& hinge_line_keys() {
   static const targets::KeyTable keys(
-      {{"column", value::integer(0, max_lines), {}, "of squares: the walls along x of this column"},
-       {"row", value::integer(0, max_lines), {}, "of squares: the walls along y of this row"}});
+      {{"column", value::integer(0, max_lines), {}, "for squares: the walls along x of this column"},
+       {"row", value::integer(0, max_lines), {}, "for squares: the walls along y of this row"}});
   return keys;
 }
 
 const targets::KeyTable& hinge_part_keys() {
   static const targets::KeyTable keys([] {
     std::vector<targets::Key> all = stiffness_and_shape();
-    all.insert(
-        all.begin(),
-        {"at", value::either({value::choice({"creases"}), value::map(hinge_line_keys())}), targets::needed,
-         "`creases`: all hinges that lean; in designs of squares also a column or a row"});
+    all.insert(all.begin(), {"at", value::either({value::choice({"creases"}), value::map(hinge_line_keys())}),
+                             targets::needed,
+                             "`creases`: all tilted hinges. In designs of squares also a column or a row"});
     return all;
   }());
   return keys;
@@ -343,7 +351,7 @@ HingeSection read_elastic_hinge_section(const targets::Section& root, const mode
   const HingeSection hinge = read_section(root, size, {.model = Model::elastic, .reach_mm = {}});
   if (hinge.model == Model::rotary)
     throw root.section("hinge").optional("model")->error(
-        "`rotary` hinges cannot stretch, which this goal needs; allowed: elastic");
+        "`rotary` hinges cannot stretch, which this goal needs. Give `model: elastic`");
   return hinge;
 }
 
@@ -352,8 +360,10 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
 }
 
 std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size) {
-  return fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                     size.thickness_mm, largest_offset_mm(hinge, size));
+  return fmt::format(
+      "this kind of hinge fits in walls of {:.4g} mm at most {:.3g} mm off their middle. Give a "
+      "smaller offset, or thicker walls",
+      size.thickness_mm, largest_offset_mm(hinge, size));
 }
 
 std::string hinge_text(const HingeSection& hinge) {
@@ -379,16 +389,15 @@ void read_place(const targets::Node& at, HingePart& part) {
   const targets::Section line(at, hinge_line_keys());
   const bool is_column = line.optional("column").has_value();
   if (is_column == line.optional("row").has_value())
-    throw at.error("names a part by one of `column: k` and `row: k`");
+    throw at.error("the part is not clear. Give either `column: k` or `row: k`");
   part.place = is_column ? PartPlace::column : PartPlace::row;
   line.read(line_name_of_place(part), part.line);
 }
 
 std::vector<targets::Node> entries(const targets::Section& root) {
   const auto list = root.section("hinge").optional("except");
-  return list
-             ? list->list("a list of hinges that are made otherwise, e.g. `- {at: creases, kind: film, ...}`")
-             : std::vector<targets::Node>{};
+  return list ? list->list("a list of exceptions, e.g. `- {at: creases, kind: film, ...}`")
+              : std::vector<targets::Node>{};
 }
 
 HingePart read_part(const targets::Node& node, const model::CellSize& size) {
@@ -409,13 +418,13 @@ std::vector<int> leaning_hinges(const model::Lattice& sheet) {
 std::vector<int> hinges_of_part(const model::Lattice& sheet, const HingePart& part) {
   if (part.place == PartPlace::creases) return leaning_hinges(sheet);
   const model::Structure* squares = sheet.squares();
-  if (!squares) throw InvalidInput("only a sheet of squares has columns and rows; name single walls");
+  if (!squares) throw InvalidInput("only a sheet of squares has columns and rows. List single walls instead");
   const model::Axis axis = part.place == PartPlace::column ? model::Axis::x : model::Axis::y;
   const int count = line_count(*squares, axis);
   if (part.line >= count)
-    throw InvalidInput(fmt::format("{} {} is not there; the sheet has {} 0 to {}", line_name_of_place(part),
-                                   part.line, part.place == PartPlace::column ? "columns" : "rows",
-                                   count - 1));
+    throw InvalidInput(fmt::format("the sheet has no {} {}. Give one of the {} 0 to {}",
+                                   line_name_of_place(part), part.line,
+                                   part.place == PartPlace::column ? "columns" : "rows", count - 1));
   return hinges_on_line(*squares, axis, part.line);
 }
 
@@ -453,7 +462,7 @@ std::map<int, HingeSection> read_hinge_overrides(const targets::Section& root, c
     const targets::Node at = *entry.optional("at");
     std::vector<int> hinges;
     at.located([&] { hinges = hinges_of_part(sheet, part); });
-    if (hinges.empty()) throw at.error("names no hinge of this sheet: none leans");
+    if (hinges.empty()) throw at.error("no hinge of this sheet is tilted. Remove the entry");
     for (const int h : hinges) own[h] = part.hinge;
   }
   return own;
@@ -463,17 +472,16 @@ void refuse_lines(const targets::Section& root, const std::vector<HingePart>& pa
   const std::vector<targets::Node> all = entries(root);
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (parts[k].place != PartPlace::creases)
-      throw all[k].optional("at")->error(
-          fmt::format("a {} is named in designs, whose columns are known; allowed in targets: creases",
-                      line_name_of_place(parts[k])));
+      throw all[k].optional("at")->error(fmt::format(
+          "only a design has a known {}. Give `creases` in a target", line_name_of_place(parts[k])));
 }
 
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
                                            const targets::Default& default_strain) {
   return {{"force_N", &HingeLimits::force_N, value::number(targets::above(0, "N")),
-           "most that the drive may take on the way; " + instead},
+           "limit of the drive's force over the whole motion. " + instead},
           {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), default_strain,
-           "most that a hinge made as a block or film may be strained, likewise"}};
+           "limit of the strain of a block or film over the whole motion"}};
 }
 
 HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
@@ -483,11 +491,11 @@ HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSect
   double most = bearable_strain(hinge);
   for (const HingePart& part : parts) most = std::max(most, bearable_strain(part.hinge));
   if (const auto strain = tolerance.optional("strain"); strain && most == 0)
-    throw strain->key_error("applies to hinges made as blocks or films; give hinge.kind as well");
+    throw strain->key_error(
+        "only applies to blocks and films. Add `hinge: {kind: block, ...}` or `film`, or remove the key");
   if (limits.strain && *limits.strain > most)
-    throw tolerance.optional("strain")->error(
-        fmt::format("{:g} contradicts the material of `hinge`, which bears {:g}; allowed: up to that",
-                    *limits.strain, most));
+    throw tolerance.optional("strain")->error(fmt::format(
+        "{:g} is more than the material of `hinge` withstands. Give at most {:g}", *limits.strain, most));
   return limits;
 }
 

@@ -26,7 +26,7 @@ constexpr double default_gusset = 0.2;        // of an edge: printable gussets, 
 const targets::Bounds gussets = targets::from_to(0.02, 0.9);
 constexpr int max_cells_in_space = 14;  // per direction: 14^3 cells have some 100 000 bodies
 constexpr double slender = 0.1;         // of an edge: rotors pass each other up to heights of a fifth
-constexpr const char* slender_walls = "of `sodalite` a tenth of `cell_mm`";  // `slender` in words
+constexpr const char* slender_walls = "for `sodalite` a tenth of `cell_mm`";  // `slender` in words
 constexpr const char* rims[] = {"open", "closed"};
 // Degrees of a rhombus: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
@@ -54,7 +54,7 @@ std::vector<std::string> lattice_names() {
 }
 
 std::string lattice_meaning() {
-  std::string text = "the lattice of the sheet: `square`";
+  std::string text = "lattice of the sheet: `square`";
   for (const PlanarLattice* lattice : model::planar_lattices())
     text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
   return text +
@@ -136,9 +136,9 @@ constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 de
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
   if (!cell_edges.contains(edge_mm))
-    throw InvalidInput(
-        fmt::format("has walls of {:g} mm by its frame_unit; allowed: {:g} to {:g} mm, or give cell_mm",
-                    edge_mm, cell_edges.lower, cell_edges.upper));
+    throw InvalidInput(fmt::format(
+        "the frame_unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}", edge_mm,
+        cell_edges.lower, cell_edges.upper));
   return edge_mm;
 }
 
@@ -228,26 +228,25 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
 }
 
 targets::Key boundary_key(bool closed = false) {
-  return {
-      "rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
-      closed ? targets::otherwise("closed") : targets::by_default("open"),
-      "`closed` adds cells in the notches of the rim, and, where these are not enough, walls across cells, "
-      "until one freedom is left"};
+  return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
+          closed ? targets::otherwise("closed") : targets::by_default("open"),
+          "`closed` braces the boundary: it adds cells in its notches and, if necessary, walls across cells, "
+          "until one degree of freedom is left"};
 }
 
 targets::Key angle_key() {
   return {"angle_deg", value::angle(angles), targets::by_default_deg(model::LatticeSheet{}.angle),
-          "of `rhombus`: between walls along the rows and across them"};
+          "for `rhombus`: angle between walls along the rows and across them"};
 }
 
 /// Returns the key `cell_mm` for walls that have their lengths already.
 targets::Key drawn_cell_mm_key() {
   return cell_mm_key(
-      targets::otherwise("of a drawing and of a list of walls their mean length, which it does not change: "
-                         "distances in cell edges and the usual walls go by it"));
+      targets::otherwise("for a drawing and a list of walls their mean length. The key does not scale them: "
+                         "it is the unit of distances in cell edges and of the default walls"));
 }
 
-targets::Key any_cells_key() { return cells_key(targets::needed, "the cells of the sheet"); }
+targets::Key any_cells_key() { return cells_key(targets::needed, "cells of the sheet"); }
 
 const targets::KeyTable& square_keys() {
   static const targets::KeyTable keys({lattice_key({squares}, targets::by_default(squares)), any_cells_key(),
@@ -271,11 +270,10 @@ const targets::KeyTable& block_keys() {
   static const targets::KeyTable keys({
       lattice_key({in_space}, targets::needed),
       {"cells", value::list(value::integer(1, max_cells_in_space), "`[n, n, n]`", 3, 3), targets::needed,
-       "of `sodalite`: cubic cells along x, y and z"},
+       "for `sodalite`: cubic cells along x, y and z"},
       {"gusset", value::number(gussets), targets::by_default(default_gusset),
-       "of `sodalite`: length of a gusset, the piece between two rotors that never turns, over the edge; "
-       "hinges sit at "
-       "its ends"},
+       "for `sodalite`: length of a gusset, the piece between two rotors that never turns, relative to the "
+       "edge. Hinges are at its ends"},
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(slender_walls, slender_walls),
   });
@@ -286,7 +284,7 @@ const targets::KeyTable& drawing_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
       {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
-       "of `graph`: its lines are the walls, in mm"},
+       "for `graph`: drawing whose lines are the walls, in mm"},
       boundary_key(),
       drawn_cell_mm_key(),
       wall_mm_key(),
@@ -298,13 +296,12 @@ const targets::KeyTable& origami_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
       {"origami", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
-       "of `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly; each "
-       "gets 2 x 2 "
-       "bodies, and its creases the tilts that fold them together"},
+       "for `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly. "
+       "Each quadrilateral gets 2 x 2 bodies, and the tilts of its creases follow from the pattern"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
-       "of `origami`: tilt of the hinges of the creases that fold most"},
-      cell_mm_key(targets::otherwise(
-          "of `origami` what keeps the size of a file that says its unit (`frame_unit`), else 10")),
+       "for `origami`: tilt of the hinges of the creases that fold most"},
+      cell_mm_key(
+          targets::otherwise("for `origami` the size of the file if it has a unit (`frame_unit`), else 10")),
       wall_mm_key(),
   });
   return keys;
@@ -314,11 +311,12 @@ const targets::KeyTable& graph_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
       {"vertices_mm", value::list(numbers_2(), "`[[x, y], ...]`", 2, max_vertices), targets::needed,
-       "of `graph` without a drawing: where walls meet"},
+       "for `graph` without a drawing: ends of the walls"},
       {"walls",
        value::list(value::list(value::integer(0, max_vertices - 1), "`[from, to]`", 2, 2),
                    "`[[from, to], ...]`"),
-       targets::needed, "of `graph` without a drawing: each by the numbers of its two vertices, from 0"},
+       targets::needed,
+       "for `graph` without a drawing: walls, each by the numbers of its two vertices, from 0"},
       boundary_key(),
       drawn_cell_mm_key(),
       wall_mm_key(),
@@ -348,9 +346,10 @@ LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed
       choice.lattice = model::planar_lattices()[k - 1];
   if (const auto angle = structure.optional("angle_deg");
       angle && !(choice.lattice && choice.lattice->needs_angle))
-    throw angle->key_error(fmt::format("cells of lattice: {} have one shape only", choice.name()));
+    throw angle->key_error(
+        fmt::format("cells of lattice: {} have one shape only. Remove the key", choice.name()));
   if (const auto rim = structure.optional("rim"); rim && !choice.lattice)
-    throw rim->key_error("a panel of squares needs no closed rim: it has one freedom");
+    throw rim->key_error("a panel of squares already has one degree of freedom. Remove the key");
   structure.read("angle_deg", choice.angle);
   choice.closed_boundary = choice.lattice && read_boundary(structure, closed);
   return choice;
@@ -370,9 +369,8 @@ targets::Key lattice_structure_key() {
           value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
                          value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
           targets::needed,
-          "the flat sheet: squares, another regular lattice, a drawing, a crease pattern, or a list of "
-          "walls; or a lattice in "
-          "space"};
+          "flat sheet: squares, another regular lattice, a drawing, a crease pattern, a list of walls, or a "
+          "lattice in space"};
 }
 
 model::Lattice read_sheet(const targets::Node& structure) {

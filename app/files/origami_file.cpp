@@ -38,8 +38,8 @@ struct Pattern {
 };
 
 [[noreturn]] void missing(const std::string& what) {
-  throw InvalidInput("is not a FOLD file of a crease pattern with faces: it has no `" + what +
-                     "`; allowed: vertices_coords, faces_vertices, edges_vertices and edges_assignment");
+  throw InvalidInput("this is not a FOLD file of a crease pattern: it has no `" + what +
+                     "`. Give vertices_coords, faces_vertices, edges_vertices and edges_assignment");
 }
 
 const Json& list_in(const Json& frame, const char* key) {
@@ -58,9 +58,10 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
   if (!parent.is_number_unsigned() || parent.get<std::size_t>() > frames.size() ||
       deep > targets::max_document_depth ||
       (parent != 0 && !frames[parent.get<std::size_t>() - 1].is_object()))
-    throw InvalidInput("frame " + std::to_string(number) +
-                       " inherits from one that is not there, or from itself, or over more than " +
-                       std::to_string(targets::max_document_depth) + " others");
+    throw InvalidInput(
+        "frame " + std::to_string(number) +
+        " inherits from a missing frame, from itself, or over more frames than allowed. Give at most " +
+        std::to_string(targets::max_document_depth) + " ancestors");
   Json whole = with_inherited(root, parent.get<std::size_t>(), deep + 1);
   whole.update(frame);
   return whole;
@@ -68,7 +69,8 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
 
 /// Returns the first frame that has faces, its own or inherited.
 Json frame_of(const Json& root) {
-  if (!root.is_object()) throw InvalidInput("is not a FOLD file: its JSON is not an object");
+  if (!root.is_object())
+    throw InvalidInput("this is not a FOLD file: its JSON is not an object. Give a FOLD file");
   if (root.contains("faces_vertices") || !root.contains("file_frames")) return root;
   const Json& frames = list_in(root, "file_frames");
   for (std::size_t k = 1; k <= frames.size(); ++k) {
@@ -89,22 +91,24 @@ std::optional<double> unit_of(const Json& frame) {
   if (word == "unit") return std::nullopt;
   if (const auto unit = known.find(word); unit != known.end()) return unit->second;
   throw InvalidInput("the unit " + targets::in_ticks(word) +
-                     " (frame_unit) is not read; allowed: unit, mm, cm, m, in, pt");
+                     " (frame_unit) is not known. Give unit, mm, cm, m, in or pt");
 }
 
 Vector2d point_of(const Json& at, std::size_t v) {
   const bool fits = at.is_array() && (at.size() == 2 || at.size() == 3) && at[0].is_number() &&
                     at[1].is_number() && (at.size() == 2 || at[2].is_number());
-  if (!fits) throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) + " is no [x, y]");
+  if (!fits)
+    throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) +
+                       " is not a point. Give [x, y]");
   if (at.size() == 3 && at[2].get<double>() != 0)
     throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) +
-                       " is not in the plane z = 0; give the flat crease pattern first");
+                       " is not in the plane z = 0. Give the flat crease pattern as the first frame");
   return {at[0].get<double>(), at[1].get<double>()};
 }
 
 int index_of(const Json& number, std::size_t count, const std::string& where) {
   if (!number.is_number_integer() || number.get<long>() < 0 || number.get<long>() >= static_cast<long>(count))
-    throw InvalidInput(where + " names a vertex that is not there; vertices go from 0 to " +
+    throw InvalidInput(where + " refers to a missing vertex. Give numbers from 0 to " +
                        std::to_string(static_cast<long>(count) - 1));
   return number.get<int>();
 }
@@ -113,7 +117,7 @@ void read_face(const Json& list, Pattern& p) {
   const std::string name = "face " + std::to_string(p.faces.size());
   if (!list.is_array() || list.size() != 4)
     throw InvalidInput(name + " has " + std::to_string(list.size()) +
-                       " corners; only quadrilaterals fold as a sheet");
+                       " corners. Give quadrilaterals, which alone fold as a sheet");
   std::vector<int> face;
   for (const Json& v : list) face.push_back(index_of(v, p.vertices.size(), name));
   const double area = signed_area(face.size(), [&](std::size_t k) { return p.vertices[face[k]]; });
@@ -146,7 +150,7 @@ Pattern read_pattern(const Json& frame) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::string name = "edge " + std::to_string(e);
     if (!edges[e].is_array() || edges[e].size() != 2)
-      throw InvalidInput(name + " does not join two vertices");
+      throw InvalidInput(name + " does not join two vertices. Give two different vertices");
     p.assignment[ordered(index_of(edges[e][0], p.vertices.size(), name),
                          index_of(edges[e][1], p.vertices.size(), name))] = letter_of(frame, e);
   }
@@ -158,7 +162,8 @@ void check_degrees(const Pattern& p) {
   std::vector<int> degree(p.vertices.size(), 0);
   std::vector<bool> at_boundary(p.vertices.size(), false);
   for (const auto& [edge, faces] : p.sides) {
-    if (faces.size() > 2) throw InvalidInput(edge_name(edge) + " has more than two faces");
+    if (faces.size() > 2)
+      throw InvalidInput(edge_name(edge) + " has more than two faces. Give a plane pattern");
     for (const int v : {edge.first, edge.second}) {
       ++degree[v];
       if (faces.size() == 1) at_boundary[v] = true;
@@ -167,7 +172,7 @@ void check_degrees(const Pattern& p) {
   for (int v = 0; v < static_cast<int>(degree.size()); ++v)
     if (!at_boundary[v] && degree[v] > 0 && degree[v] != 4)
       throw InvalidInput(vertex_name(v) + " inside the pattern has " + std::to_string(degree[v]) +
-                         " creases; only vertices of four fold exactly");
+                         " creases. Give vertices of four creases, which alone fold exactly");
 }
 
 /// Vertices in columns and rows, from a corner of the pattern.
@@ -188,7 +193,8 @@ class Grid {
 
  private:
   [[noreturn]] static void refuse() {
-    throw InvalidInput("faces of the pattern do not lie in columns and rows that are all equally long");
+    throw InvalidInput(
+        "the faces are not a grid of equally long columns and rows. Give a pattern with such a grid");
   }
 
   /// Returns the face of the first vertex that only one face has, with that vertex at its front.
@@ -251,7 +257,7 @@ class Reading {
  public:
   explicit Reading(const Pattern& p) : p_(p), grid_(p) {
     if (grid_.columns() < 2 || grid_.rows() < 2)
-      throw InvalidInput("a pattern needs at least 2 x 2 faces, with a vertex inside");
+      throw InvalidInput("the pattern has no inner vertex. Give at least 2 x 2 faces");
     raw_ = model::empty_mesh<double>(grid_.columns(), grid_.rows());
     for (int j = 0; j <= grid_.rows(); ++j)
       for (int i = 0; i <= grid_.columns(); ++i) raw_.at(i, j) = p.vertices[grid_.at(i, j)];
@@ -278,7 +284,7 @@ class Reading {
     if (letter == 'V' || letter == 'v') return 1;
     if (letter == 'M' || letter == 'm') return -1;
     throw InvalidInput(edge_name(edge) +
-                       " lies inside and is neither mountain nor valley; give it \"M\" or \"V\"");
+                       " is inside and neither mountain nor valley. Assign it \"M\" or \"V\"");
   }
 
   /// Returns |level| over |rising| of the creases of a vertex.
@@ -288,23 +294,24 @@ class Reading {
     if (!(std::abs(a + sector[2] - pi) <= straight_slack))
       throw InvalidInput(name(i, j) +
                          " is not flat-foldable: opposite angles between its creases add up to " +
-                         number_text(to_degrees(a + sector[2])) + " deg, must be 180");
+                         number_text(to_degrees(a + sector[2])) + " deg. Give angles that add up to 180 deg");
     const int right = sign(i, j, i + 1, j), up = sign(i, j, i, j + 1), left = sign(i, j, i - 1, j),
               down = sign(i, j, i, j - 1);
     const bool level_flips = up == down && left != right;
     if (!level_flips && !(left == right && up != down))
       throw InvalidInput(name(i, j) +
-                         " does not fold: of its two pairs of opposite creases one must be alike, the "
-                         "other a mountain and a valley");
+                         " does not fold. Give its opposite creases as one pair of equal folds, and one pair "
+                         "of a mountain and a valley");
     const double of_other = level_flips ? std::sin((a - b) / 2) / std::sin((a + b) / 2)
                                         : -std::cos((a + b) / 2) / std::cos((a - b) / 2);
     if (!(std::abs(of_other) >= min_ratio))
       throw InvalidInput(name(i, j) +
-                         ": two of its creases cannot fold, as the other two lie on one line and at " +
+                         " does not fold: two of its creases lie on one line, and the other two are at right "
+                         "angles to them. Change an angle" +
                          "right angles to them");
     if ((of_other > 0) != (right == up))
       throw InvalidInput(name(i, j) +
-                         " does not fold: the mountain and the valley of its unlike pair must change places");
+                         " does not fold. Exchange the mountain and the valley of its unequal pair");
     return std::abs(level_flips ? of_other : 1 / of_other);
   }
 
@@ -320,7 +327,7 @@ class Reading {
         if (!(std::abs(asked / found - 1) <= same_multiplier))
           throw InvalidInput("the pattern does not fold rigidly: round " + name(i, j) +
                              " its creases fold in the ratio " + number_text(asked) +
-                             ", where the other vertices ask for " + number_text(found));
+                             ", and the other vertices need " + number_text(found));
       }
     double most = 0;
     for (const double c : rising_) most = std::max(most, c);
@@ -373,8 +380,9 @@ class Reading {
       }
     if (!(out.moved <= most_moved))
       throw InvalidInput("the pattern does not fold rigidly: " + name(worst_i, worst_j) + " is off by " +
-                         number_text(out.moved) + " mean edges from where the others ask for it; at most " +
-                         number_text(most_moved) + " is mended");
+                         number_text(out.moved) +
+                         " mean edges from the place that the others need. Correct the pattern: at most " +
+                         number_text(most_moved) + " is corrected automatically");
   }
 
   const Pattern& p_;
@@ -393,8 +401,8 @@ Place place_at(const std::string& text, std::size_t position, const std::string&
 OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   try {
     if (const auto at = targets::find_too_deep(text))
-      throw InvalidInput("is nested too deep; give a FOLD file of at most " +
-                             std::to_string(targets::max_document_depth) + " lists in one another",
+      throw InvalidInput("the lists are nested too deep. Give a FOLD file of at most " +
+                             std::to_string(targets::max_document_depth) + " levels",
                          place_at(text, *at, file));
     const Json root = Json::parse(text);
     const Json frame = frame_of(root);
@@ -404,10 +412,10 @@ OrigamiFile parse_origami(const std::string& text, const std::string& file) {
     out.unit_mm = unit_of(frame);
     return out;
   } catch (const Json::parse_error& e) {
-    throw InvalidInput("is not JSON, as a FOLD file must be",
+    throw InvalidInput("this is not JSON. Give a FOLD file",
                        place_at(text, std::min(text.size(), e.byte), file));
   } catch (const Json::out_of_range&) {
-    throw InvalidInput("holds a number that is beyond what a number can hold", {file});
+    throw InvalidInput("a number is too large. Give smaller numbers", {file});
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {file});

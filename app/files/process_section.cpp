@@ -36,7 +36,7 @@ const targets::KeyTable& sd_keys() {
   static const targets::KeyTable keys({
       {"t_mm", &model::PrintError::t_mm, value::number(targets::from_to(0, 10, "mm")),
        targets::otherwise("the process's"),
-       sd_meaning(&model::PrintError::t_mm, "a hinge's place along its wall")},
+       sd_meaning(&model::PrintError::t_mm, "a hinge's position along its wall")},
       {"tilt_deg", &model::PrintError::tilt_deg, value::number(targets::from_to(0, 45, "degrees")),
        targets::otherwise("the process's"), sd_meaning(&model::PrintError::tilt_deg, "a wall's tilt")},
       {"clearance_mm", &model::PrintError::clearance_mm, value::number(targets::from_to(0, 10, "mm")),
@@ -63,7 +63,7 @@ std::vector<std::string> material_choices() {
 
 /// Returns the key of the material that walls and films are made of in one.
 targets::Key one_material_key() {
-  std::string text = "of walls and living hinges made in one";
+  std::string text = "material of walls and living hinges that are made in one piece";
   bool is_first = true;
   for (const model::Process& p : model::processes())
     if (!p.film.empty())
@@ -74,19 +74,22 @@ targets::Key one_material_key() {
 const targets::KeyTable& custom_process_keys() {
   static const targets::KeyTable keys({
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
-       "the process that all other numbers come from"},
-      limit_key("clearance_mm", &model::Process::clearance_mm, "least clearance of a pin, a side"),
-      limit_key("least_wall_mm", &model::Process::min_wall_mm, "least thickness of a wall"),
-      limit_key("least_pin_mm", &model::Process::min_pin_mm, "least diameter of a pin's rod"),
-      limit_key("least_film_mm", &model::Process::min_film_mm, "least width of a bridge in a cut sheet"),
+       "process whose numbers are used for the keys that are omitted"},
+      limit_key("clearance_mm", &model::Process::clearance_mm, "minimum clearance of a pin, per side"),
+      limit_key("min_wall_mm", &model::Process::min_wall_mm, "minimum thickness of a wall")
+          .formerly("least_wall_mm"),
+      limit_key("min_pin_mm", &model::Process::min_pin_mm, "minimum diameter of a pin's rod")
+          .formerly("least_pin_mm"),
+      limit_key("min_film_mm", &model::Process::min_film_mm, "minimum width of a bridge in a cut sheet")
+          .formerly("least_film_mm"),
       limit_key("sheet_mm", &model::Process::sheet_mm,
-                "thickness of the sheet that is cut, and so the height of all walls; where the file gives "
-                "`structure.wall_mm.height`, that",
+                "thickness of the sheet that is cut, which is the height of all walls. "
+                "`structure.wall_mm.height` replaces it",
                 sheet_thickness),
-      limit_key("kerf_mm", &model::Process::kerf_mm, "width of the cut, which the drawings make up for",
+      limit_key("kerf_mm", &model::Process::kerf_mm, "width of the cut, for which the drawings compensate",
                 cut_width),
       one_material_key(),
-      {"sd", sd_keys(), "how far prints are from what was designed"},
+      targets::Key("std_dev", sd_keys(), "standard deviations of prints from the design").formerly("sd"),
   });
   return keys;
 }
@@ -105,18 +108,17 @@ const model::Process& named(const targets::Node& node) {
 
 targets::Key process_key() {
   return key_of_process(
-      "how it is to be printed ([hinges.md](hinges.md)): what prints with such errors come to is said with "
-      "the result");
+      "printing process ([hinges.md](hinges.md)). The result estimates the effect of its print errors");
 }
 
 targets::Key design_process_key() {
   return key_of_process(
-      "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise");
+      "printing process for `export` ([print.md](print.md)). `export --process` replaces it");
 }
 
 targets::Key bed_key() {
   return {"bed_mm", value::list(value::number(side_of_bed), "`[x, y]`", 2, 2), targets::no_default,
-          "bed of the printer, mm: a larger sheet is cut into tiles that join by hinges"};
+          "bed of the printer, mm. A larger sheet is cut into tiles that join by hinges"};
 }
 
 std::string to_string(LockKind kind) {
@@ -128,9 +130,9 @@ std::string to_string(LockKind kind) {
 targets::Key lock_key() {
   return {
       "lock", value::choice(lock_choices), targets::no_default,
-      "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
-      "posts, or `strap`, two eyes for a strap ([print.md](print.md#6-staying-folded)). Left out, a search "
-      "chooses, and a design has none"};
+      "part that keeps the sheet folded ([print.md](print.md#6-staying-folded)). `clip`: a bar that is "
+      "printed with the sheet and fits over two posts. `strap`: two eyes for a strap. If the key is omitted, "
+      "a search chooses, and a design has none"};
 }
 
 std::optional<LockKind> read_lock(const targets::Section& root) {
@@ -145,7 +147,8 @@ std::string process_text(const model::Process& process) {
   std::string own = custom_process_keys().text(process, base);
   if (process.film != base.film) own += fmt::format("{}material: {}", own.empty() ? "" : ", ", process.film);
   if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
-    own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
+    own += fmt::format("{}{}: {{{}}}", own.empty() ? "" : ", ",
+                       custom_process_keys().at("std_dev").written_name(), sd);
   return fmt::format("{{base: {}, {}}}", process.name, own);
 }
 
@@ -154,18 +157,19 @@ namespace {
 /// Reads the keys of walls and hinges that are made in one. @throws InvalidInput for keys that the base does not have
 /// @param process the base, whose material is replaced
 void read_one_piece(const targets::Section& own, model::Process& process) {
-  for (const char* key : {"sheet_mm", "kerf_mm", "least_film_mm"})
+  for (const char* key : {"sheet_mm", "kerf_mm", "min_film_mm"})
     if (const auto given = own.optional(key); given && !process.cuts_sheets())
       throw given->key_error(
-          fmt::format("is for processes that cut sheets, and {} prints; remove it, or give "
+          fmt::format("only applies to processes that cut sheets, and {} prints. Remove the key, or give "
                       "`base: laser`",
                       process.name));
   const auto material = own.optional("material");
   if (!material) return;
   if (process.film.empty())
-    throw material->key_error(fmt::format(
-        "is for walls and living hinges made in one, and {} does not print them so; give `hinge.material`",
-        process.name));
+    throw material->key_error(
+        fmt::format("only applies to walls and living hinges that are made in one piece, which {} does not "
+                    "print. Give `hinge.material` instead",
+                    process.name));
   const std::vector<std::string> names = material_choices();
   process.film = names[material->one_of({names.begin(), names.end()})];
 }
@@ -188,8 +192,8 @@ void follow_walls(const targets::Section& root, model::Process& process) {
   const double height_mm = height->number(sheet_thickness);
   if (nested(root.node(), {"process", "sheet_mm"}) && height_mm != process.sheet_mm)
     throw height->error(fmt::format(
-        "walls are as high as the sheet that they are cut from is thick, {:g} mm (process.sheet_mm); remove "
-        "one of the two keys",
+        "differs from the thickness of the sheet, {:.4g} mm (process.sheet_mm), which is the height of its "
+        "walls. Remove one of the two keys",
         process.sheet_mm));
   process.sheet_mm = height_mm;
 }

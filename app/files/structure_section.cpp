@@ -18,10 +18,10 @@ constexpr double thin_thickness = 0.08, thin_height = 0.15;  // ratio to an edge
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
 
 std::vector<model::Cell> read_rectangle(const targets::Node& node, const std::vector<targets::Node>& sides) {
-  if (sides.size() != 2) throw node.error(std::string("is not a pair; give ") + wanted_cells);
+  if (sides.size() != 2) throw node.error(std::string("is not a pair. Give ") + wanted_cells);
   const int columns = sides[0].integer(1, max_side), rows = sides[1].integer(1, max_side);
   if (static_cast<std::size_t>(columns) * rows > max_cells)
-    throw node.error("more than a million cells; give a smaller rectangle");
+    throw node.error("there are more than a million cells. Give a smaller rectangle");
   return model::rectangle(columns, rows);
 }
 
@@ -60,7 +60,7 @@ targets::Key wall_mm_key(const char* thickness, const char* height) {
 targets::Key thin_walls_key(const std::string& edge, std::string meaning) {
   const auto key = [&](const char* name, std::optional<double> ThinWalls::*member, double part) {
     return targets::Key(name, member, value::number(targets::above(0, "mm")),
-                        targets::otherwise(targets::shortest_text(part) + " " + edge), "of the walls");
+                        targets::otherwise(targets::shortest_text(part) + " " + edge), "size of the walls");
   };
   return {"wall_mm",
           targets::KeyTable({key("thickness", &ThinWalls::thickness_mm, thin_thickness),
@@ -79,7 +79,7 @@ model::CellSize ThinWalls::size(double edge_mm) const {
 
 std::vector<model::Cell> read_cells(const targets::Node& node) {
   const auto entries = node.list(wanted_cells);
-  if (entries.empty()) throw node.error(std::string("is empty; give ") + wanted_cells);
+  if (entries.empty()) throw node.error(std::string("the list is empty. Give ") + wanted_cells);
   if (entries[0].kind() != targets::Node::Kind::list) return read_rectangle(node, entries);
   std::map<model::Cell, int> line_of;
   std::vector<model::Cell> cells;
@@ -88,8 +88,8 @@ std::vector<model::Cell> read_cells(const targets::Node& node) {
     cells.push_back({ij[0].integer(0, max_side - 1), ij[1].integer(0, max_side - 1)});
     const auto [first, is_new] = line_of.try_emplace(cells.back(), entry.place().line);
     if (!is_new)
-      throw entry.error("cell " + name(cells.back()) + " is given twice, first in line " +
-                        std::to_string(first->second) + "; give it once");
+      throw entry.error("cell " + name(cells.back()) + " is listed twice, first in line " +
+                        std::to_string(first->second) + ". Remove one of the two entries");
   }
   return cells;
 }

@@ -125,7 +125,7 @@ void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& key
 
 std::string meaning_of(const std::string& path, const targets::Key& key) {
   if (key.meaning.empty()) throw InvalidInput("the key `" + path + "` has no documentation");
-  return key.meaning;
+  return meaning_text(key);
 }
 
 /// Collects the words of each choice from all alternatives of a map: the page shows them all.

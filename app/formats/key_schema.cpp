@@ -43,13 +43,17 @@ Json number_schema(const targets::ValueType& type) {
 
 /// Returns the schema of a choice. A word that reads as a number is a number in the file, unless it is quoted.
 Json choice_schema(const targets::ValueType& type) {
-  Json words = Json::array();
+  Json words = Json::array(), old_words = Json::array();
   for (const std::string& word : type.words) {
     const Json number = Json::parse(word, nullptr, false);
     if (number.is_number()) words.push_back(number);
     words.push_back(word);
   }
-  return {{"enum", std::move(words)}};
+  Json schema = {{"enum", std::move(words)}};
+  if (type.old_words.empty()) return schema;
+  for (const auto& [word, replacement] : type.old_words) old_words.push_back(word);
+  Json old = {{"enum", std::move(old_words)}, {"deprecated", true}};
+  return {{"anyOf", Json::array({std::move(schema), std::move(old)})}};
 }
 
 Json list_schema(const targets::ValueType& type) {
@@ -75,15 +79,34 @@ Json key_schema(const targets::Key& key) {
 Json needed_keys(const targets::KeyTable& keys) {
   Json needed = Json::array();
   for (const targets::Key& key : keys.keys())
-    if (key.fallback.kind == targets::Default::Kind::needed) needed.push_back(key.name);
+    if (key.fallback.kind == targets::Default::Kind::needed && key.old_name.empty())
+      needed.push_back(key.name);
   return needed;
+}
+
+/// Allows a key under one of its two names only. @pre it has an earlier name
+Json one_name(const targets::Key& key) {
+  const auto required = [](std::initializer_list<std::string> names) -> Json {
+    return {{"required", Json(std::vector<std::string>(names))}};
+  };
+  if (key.fallback.kind == targets::Default::Kind::needed)
+    return {{"oneOf", Json::array({required({key.name}), required({key.old_name})})}};
+  return {{"not", required({key.name, key.old_name})}};
 }
 
 Json plain_map_schema(const targets::KeyTable& keys) {
   Json properties = Json::object();
   for (const targets::Key& key : keys.keys()) properties[key.name] = key_schema(key);
+  for (const targets::Key& key : keys.keys()) {
+    if (key.old_name.empty()) continue;
+    Json& old = properties[key.old_name] = key_schema(key);
+    old["description"] = fmt::format("earlier name of {}", key.name);
+    old["deprecated"] = true;
+  }
   Json schema = {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
   if (Json needed = needed_keys(keys); !needed.empty()) schema["required"] = std::move(needed);
+  for (const targets::Key& key : keys.keys())
+    if (!key.old_name.empty()) schema["allOf"].push_back(one_name(key));
   return schema;
 }
 
@@ -279,6 +302,14 @@ std::string plain_text(const targets::Key& key) {
           ? "; default: " + key.fallback.text
           : "";
   return unmarked(key.meaning + unit_text(key.type) + rule);
+}
+
+std::string meaning_text(const targets::Key& key) {
+  std::string text = key.meaning;
+  if (!key.old_name.empty()) text += fmt::format(" (earlier name: `{}`)", key.old_name);
+  for (const auto& [word, replacement] : key.type.old_words)
+    text += fmt::format(" (earlier word for `{}`: `{}`)", replacement, word);
+  return text;
 }
 
 std::string anchor(const std::string& heading) {

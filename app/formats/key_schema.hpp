@@ -26,6 +26,9 @@ std::string default_text(const targets::Key& key, const targets::Alternatives& a
 /// Returns meaning, unit and rule of the default without Markdown, for an editor's hint.
 std::string plain_text(const targets::Key& key);
 
+/// Returns the meaning of a key with its earlier names, in Markdown.
+std::string meaning_text(const targets::Key& key);
+
 /// Returns the anchor that GitHub makes of a heading.
 std::string anchor(const std::string& heading);
 

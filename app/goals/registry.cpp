@@ -51,9 +51,9 @@ void check_kind_of_file(const targets::Node& root) {
   refuse_result(root);
   if (root.kind() != targets::Node::Kind::map || root.optional("target")) return;
   if (root.optional("design"))
-    throw root.error("this is a design, not a target; use it with simulate, verify, view or export");
+    throw root.error("this file is a design, not a target. Use it with simulate, verify, view or export");
   if (root.optional("factors"))
-    throw root.error("this is a design of experiments, not a target; use it with sweep");
+    throw root.error("this file is a sweep, not a target. Use it with `kinetix-opt sweep`");
 }
 
 /// Returns the `target` section. If it is missing, reports wrong keys, version or name first, then the missing section.
@@ -86,8 +86,8 @@ void check_robust(const targets::Node& root, const GoalKind& kind) {
   const auto asked = root.optional("robust");
   const auto keys = kind.table().names();
   if (!asked || std::find(keys.begin(), keys.end(), "robust") != keys.end()) return;
-  throw asked->error(
-      fmt::format("goals of kind {} have no robust search; these have: {}", kind.name, kinds_with("robust")));
+  throw asked->error(fmt::format("goals of kind {} have no robust search. Remove the key, or use one of: {}",
+                                 kind.name, kinds_with("robust")));
 }
 
 /// File of a target, and keys that are to be other than it has them.

@@ -111,7 +111,7 @@ class GlbModel {
     const auto found = map.find(key);
     if (found == map.end() && otherwise) return *otherwise;
     if (found == map.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() > max_json_number)
-      damaged(std::string("`") + key + "` is no whole number");
+      damaged(std::string("`") + key + "` is not a whole number");
     return found->get<std::size_t>();
   }
 
@@ -119,7 +119,7 @@ class GlbModel {
     static const PlainJson none = PlainJson::array();
     const auto found = map.find(key);
     if (found == map.end()) return none;
-    if (!found->is_array()) damaged(std::string("`") + key + "` is no list");
+    if (!found->is_array()) damaged(std::string("`") + key + "` is not a list");
     return *found;
   }
 
@@ -149,10 +149,10 @@ class GlbModel {
   std::string_view view(const PlainJson& accessor, std::size_t& stride) const {
     const PlainJson* part = named(accessor, "bufferView", "bufferViews");
     if (!part || accessor.contains("sparse"))
-      fail("keeps its numbers compressed or sparse; write it without compression");
+      fail("keeps its numbers compressed or sparse. Write it without compression");
     const PlainJson* buffer = named(*part, "buffer", "buffers");
     if (!buffer || whole(*part, "buffer") != 0 || buffer->contains("uri"))
-      fail("keeps its numbers in another file; write it as one binary file");
+      fail("keeps its numbers in another file. Write it as one binary file");
     const std::size_t start = whole(*part, "byteOffset", 0), length = whole(*part, "byteLength");
     if (start > buffer_.size() || length > buffer_.size() - start) damaged("its buffer ends early");
     stride = whole(*part, "byteStride", 0);
@@ -174,11 +174,11 @@ class GlbModel {
     out.component = component_of(accessor);
     const std::size_t start = whole(accessor, "byteOffset", 0), row = columns * out.component.bytes;
     out.count = whole(accessor, "count");
-    if (accessor.value("type", PlainJson()) != type) damaged(std::string("numbers that are no ") + type);
+    if (accessor.value("type", PlainJson()) != type) damaged(std::string("numbers that are not ") + type);
     if (accessor.value("normalized", PlainJson(false)) == PlainJson(true))
       out.unit = 1 / out.component.largest;
     if (out.stride == 0) out.stride = row;
-    if (out.count > max_corners) fail("has too many points or triangles; thin the model out");
+    if (out.count > max_corners) fail("has too many points or triangles. Thin the model out");
     if (start > bytes.size() || out.stride < row ||
         (out.count > 0 && row + (out.count - 1) * out.stride > bytes.size() - start))
       damaged("its buffer ends early");
@@ -256,7 +256,7 @@ class GlbModel {
     found.soup.points = is_skinned ? skinned(node, attributes, points) : placed(points, X);
     add_triangles(corners(primitive, points.count), mode, X.linear().determinant() < 0, found);
     count_ += found.soup.points.size() + 3 * found.soup.triangles.size();
-    if (count_ > 2 * max_corners) fail("has too many points or triangles; thin the model out");
+    if (count_ > 2 * max_corners) fail("has too many points or triangles. Thin the model out");
     out_.meshes.push_back(std::move(found));
   }
 

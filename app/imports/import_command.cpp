@@ -120,15 +120,15 @@ void refuse_options_of_models(const ImportRequest& r) {
         std::pair("--material", &r.material), std::pair("--hinges", &r.hinges)})
     if (!value->empty())
       throw InvalidInput(
-          fmt::format("{} is of models with hard and soft parts; a folder of tiles has --tile-mm, "
-                      "--thickness-mm and --kerf-mm",
+          fmt::format("{} only applies to models with hard and soft parts. Use --tile-mm, --thickness-mm and "
+                      "--kerf-mm for a folder of tiles",
                       name));
 }
 
 double checked(const std::optional<double>& asked, double usual, double least, const char* option) {
   const double value = asked.value_or(usual);
   if (!(value >= least && value <= 1e6))
-    throw InvalidInput(fmt::format("{} is {} mm; it is from {} to 1000000 mm", option, value, least));
+    throw InvalidInput(fmt::format("{} is {} mm. Give {} to 1000000 mm", option, value, least));
   return value;
 }
 
@@ -136,7 +136,7 @@ model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sh
   constexpr double least = 1e-3;  // mm: nothing is manufactured finer
   const double edge = model::median_edge(sheet),
                mm = checked(request.tile_mm, default_edge_mm, least, "--tile-mm");
-  if (!(edge > 0)) throw InvalidInput("has tiles without a size");
+  if (!(edge > 0)) throw InvalidInput("the tiles have no size. Give tiles with an area");
   return {.scale_mm = mm / edge,
           .thickness_mm = checked(request.thickness_mm, thickness_share * mm, least, "--thickness-mm"),
           .kerf_mm = checked(request.kerf_mm, kerf_share * mm, 0, "--kerf-mm")};
@@ -256,9 +256,8 @@ model::HingeChoices choices_of(const ImportRequest& request) {
 
 // Advice for a file whose parts are all hard, with no rod in a bore.
 constexpr const char* if_films =
-    ". If it is a sheet whose films are printed of the walls' own material (export does so for fdm and sls), "
-    "its file "
-    "does not tell them apart: give both parts as files of their own, --hard hard.stl --soft soft.stl";
+    ". Give both parts in separate files, --hard hard.stl --soft soft.stl, if the living hinges have the "
+    "material of the walls. export writes such files for fdm and sls";
 
 /// Builds the assembly. Adds the files' names to bad input that is found after reading.
 model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& choices) {
@@ -336,8 +335,8 @@ void refuse_options_of_tiles(const ImportRequest& r) {
        {std::pair("--tile-mm", r.tile_mm), std::pair("--thickness-mm", r.thickness_mm),
         std::pair("--kerf-mm", r.kerf_mm)})
     if (value)
-      throw InvalidInput(
-          fmt::format("{} is of a folder of tiles, with vertices.txt and constraints.txt", name));
+      throw InvalidInput(fmt::format(
+          "{} only applies to a folder of tiles, with vertices.txt and constraints.txt. Remove it", name));
 }
 
 }  // namespace
@@ -352,7 +351,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   console.stage("finding hinges", -1);
   model::Assembly bodies = assembled(parts, choices);
   tidy_up(bodies);
-  console.stage("how it moves", -1);
+  console.stage("motion", -1);
   const AssemblyMobility mobility = examine(bodies);
   Design design{.name = import_name(request), .structure = model::Lattice(std::move(bodies))};
   if (mobility.hinge >= 0) {

@@ -38,10 +38,11 @@ ModelFile read_by_ending(const std::string& file) {
   if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
   if (std::filesystem::is_directory(file, failure))
     throw InvalidInput(
-        "is a folder without vertices.txt; give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL file",
+        "this is a folder without vertices.txt. Give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL "
+        "file",
         {file});
-  throw InvalidInput(
-      "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
+  throw InvalidInput("the ending is not that of a model. Give a 3MF, STEP, GLB, OBJ, PLY or STL file",
+                     {file});
 }
 
 /// Vertices and faces of an OBJ file by its objects, groups and materials.
@@ -128,12 +129,13 @@ ModelFile read_model_file(const std::string& file) {
     triangles += mesh.soup.triangles.size();
     for (const Eigen::Vector3d& p : mesh.soup.points)
       if (!(p.cwiseAbs().maxCoeff() <= max_coordinate))
-        throw InvalidInput("has a point whose coordinates are no numbers within a thousand million", {file});
+        throw InvalidInput("a coordinate is not a number within a thousand million. Correct the model",
+                           {file});
   }
   if (triangles == 0) throw InvalidInput("has no triangles", {file});
   if (triangles > max_model_triangles)
-    throw InvalidInput("has " + std::to_string(triangles) + " triangles; at most " +
-                           std::to_string(max_model_triangles) + " are allowed; thin the model out",
+    throw InvalidInput("has " + std::to_string(triangles) + " triangles, and the limit is " +
+                           std::to_string(max_model_triangles) + ". Simplify the model",
                        {file});
   return model;
 }
@@ -141,7 +143,8 @@ ModelFile read_model_file(const std::string& file) {
 ModelFile read_step(const std::string& file) {
   const std::string start = targets::read_bytes(file, targets::max_mesh_bytes).substr(0, 200);
   if (start.find("ISO-10303-21") == std::string::npos)
-    throw InvalidInput("is not a STEP file: it does not start with ISO-10303-21", {file});
+    throw InvalidInput("this is not a STEP file: it does not start with ISO-10303-21. Export it again",
+                       {file});
   ModelFile out{file, {}, 1};
   try {
     for (cad::FoundSolid& solid : cad::solids_of_step(file))
@@ -151,7 +154,8 @@ ModelFile read_step(const std::string& file) {
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {file});
   }
-  if (out.meshes.empty()) throw InvalidInput("has no solids; give a STEP file of solid bodies", {file});
+  if (out.meshes.empty())
+    throw InvalidInput("the file has no solids. Give a STEP file of solid bodies", {file});
   return out;
 }
 
@@ -195,7 +199,7 @@ std::vector<FoundNumber> numbers_of(const std::string& line, const Place& place)
     FoundNumber found{0, column};
     const auto [stop, error] = std::from_chars(at, end, found.value);
     if (error != std::errc() || (stop != end && !is_blank(*stop)) || !std::isfinite(found.value))
-      throw InvalidInput("is no number; a line holds numbers between blanks",
+      throw InvalidInput("this is not a number. Give numbers between blanks",
                          {place.file, place.line, column});
     out.push_back(found);
     at = stop;
@@ -223,20 +227,20 @@ Corners read_corners(const std::string& file) {
   Corners out;
   for (const NumberLine& line : number_lines(file)) {
     if (line.numbers.size() % 3 != 0 || line.numbers.size() < 9)
-      throw InvalidInput(
-          fmt::format("has {} numbers; a tile has x, y and z of three corners or more", line.numbers.size()),
-          {file, line.number, 1});
+      throw InvalidInput(fmt::format("the line has {} numbers. Give x, y and z of three corners or more",
+                                     line.numbers.size()),
+                         {file, line.number, 1});
     std::vector<Eigen::Vector3d>& tile = out.emplace_back();
     for (std::size_t k = 0; k < line.numbers.size(); k += 3)
       tile.emplace_back(line.numbers[k].value, line.numbers[k + 1].value, line.numbers[k + 2].value);
   }
-  if (out.empty()) throw InvalidInput("has no tiles", {file});
+  if (out.empty()) throw InvalidInput("the file has no tiles. Give one tile per line", {file});
   return out;
 }
 
 int whole(const FoundNumber& found, const std::string& file, int line) {
   if (found.value != std::floor(found.value) || std::abs(found.value) > 1e9)
-    throw InvalidInput("is no whole number", {file, line, found.column});
+    throw InvalidInput("this is not a whole number. Give a whole number", {file, line, found.column});
   return static_cast<int>(found.value);
 }
 
@@ -246,13 +250,13 @@ std::vector<model::TileJoint> read_joints(const std::string& file) {
   for (const NumberLine& line : number_lines(file)) {
     if (line.numbers.size() != 4 && line.numbers.size() != 5)
       throw InvalidInput(
-          fmt::format("has {} numbers; a joint is `tile corner tile corner [face]`", line.numbers.size()),
+          fmt::format("the line has {} numbers. Give `tile corner tile corner [face]`", line.numbers.size()),
           {file, line.number, 1});
     std::array<int, 4> ends{};
     for (std::size_t k = 0; k < 4; ++k) ends[k] = whole(line.numbers[k], file, line.number);
     const int face = line.numbers.size() == 5 ? whole(line.numbers[4], file, line.number) : 1;
     if (face < 1 || face > 3)
-      throw InvalidInput(fmt::format("face {} is not 1 (bottom), 2 (top) or 3 (both)", face),
+      throw InvalidInput(fmt::format("face {} is not known. Give 1 (bottom), 2 (top) or 3 (both)", face),
                          {file, line.number, line.numbers[4].column});
     if (std::pair(ends[0], ends[1]) > std::pair(ends[2], ends[3])) {
       std::swap(ends[0], ends[2]);
@@ -268,12 +272,13 @@ std::vector<model::TileJoint> read_joints(const std::string& file) {
 
 void check_target(const model::TileSheet& sheet, const std::string& file) {
   if (sheet.target.size() != sheet.tiles.size())
-    throw InvalidInput(
-        fmt::format("has {} tiles; vertices.txt has {}", sheet.target.size(), sheet.tiles.size()), {file});
+    throw InvalidInput(fmt::format("the file has {} tiles, and vertices.txt has {}. Give the same number",
+                                   sheet.target.size(), sheet.tiles.size()),
+                       {file});
   for (std::size_t t = 0; t < sheet.tiles.size(); ++t)
     if (sheet.target[t].size() != sheet.tiles[t].size())
-      throw InvalidInput(fmt::format("tile {} has {} corners; in vertices.txt it has {}", t + 1,
-                                     sheet.target[t].size(), sheet.tiles[t].size()),
+      throw InvalidInput(fmt::format("tile {} has {} corners, and {} in vertices.txt. Give the same number",
+                                     t + 1, sheet.target[t].size(), sheet.tiles[t].size()),
                          {file});
 }
 

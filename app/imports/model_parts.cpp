@@ -57,7 +57,7 @@ std::string stated_units(const std::vector<ModelFile>& files) {
     said.insert(*file.unit_mm);
     each += fmt::format("{}{:g} mm of {}", each.empty() ? "" : " and ", *file.unit_mm, file.file);
   }
-  return said.size() == 1 ? fmt::format("{:g} mm, as the file says", *said.begin()) : each + ", as they say";
+  return said.size() == 1 ? fmt::format("{:g} mm, from the file", *said.begin()) : each + ", from the files";
 }
 
 /// Scales files to mm and describes how the unit was found. Two files have common coordinates. If one of them does not
@@ -77,7 +77,7 @@ std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
   if (!asked.empty()) return std::string(named_unit(asked).words) + ", as asked";
   if (said) return stated_units(files);
   return fmt::format(
-      "{}, guessed: the file does not say, and the model is {:.4g} of them long; --unit says otherwise",
+      "{}, inferred: the file has no unit, and the model is {:.4g} of them long. Give --unit for another one",
       guess.words, side);
 }
 
@@ -102,13 +102,12 @@ class Softness {
         std::any_of(file.meshes.begin(), file.meshes.end(), [&](const FoundMesh& m) { return is_soft(m); });
     if (any) return;
     if (!requested_.empty())
-      throw InvalidInput("--soft-material: no material, colour or part is called " +
+      throw InvalidInput("--soft-material: no material, colour or part has the name " +
                              targets::in_ticks(request.soft_material) + found(),
                          {file.file});
     if (materials_.size() > 1)
-      throw InvalidInput(
-          "does not say which of its materials is soft" + found() + "; name it with --soft-material",
-          {file.file});
+      throw InvalidInput("the soft material is not clear" + found() + ". Name it with --soft-material",
+                         {file.file});
   }
 
   bool is_soft(const FoundMesh& mesh) const {
@@ -212,7 +211,7 @@ void refuse_repeated_parts(const std::vector<model::ModelPart>& parts, const std
       const double apart = extents[other].box.min().x() - extents[k].box.min().x();
       if (apart > weld_share * extents[k].box.diagonal().norm()) break;
       if (extents[k].is_as(extents[other]))
-        throw InvalidInput("has the same part twice in one place, " +
+        throw InvalidInput("the same part is twice in one place, " +
                                targets::in_ticks(extents[k].part->name) + " and " +
                                targets::in_ticks(extents[other].part->name) + ". Remove one of them",
                            {file});
@@ -236,14 +235,14 @@ const targets::KeyTable& choice_keys() {
 Eigen::Vector3d read_axis(const targets::Node& node) {
   const auto entries = node.list_of(3, "a direction [x, y, z]");
   const Eigen::Vector3d v(entries[0].number(), entries[1].number(), entries[2].number());
-  if (!(v.norm() > 0)) throw node.error("is not a direction: all three numbers are 0");
+  if (!(v.norm() > 0)) throw node.error("all three numbers are 0. Give a direction");
   return v.normalized();
 }
 
 std::string key_of(const targets::Section& entry) {
   const auto hinge = entry.optional("hinge"), bodies = entry.optional("bodies");
   if (hinge.has_value() == bodies.has_value())
-    throw entry.error("needs `hinge` or `bodies`, and one of them only");
+    throw entry.error("the hinge is not clear. Give either `hinge` or `bodies`");
   if (hinge) return hinge->text("name of a soft part");
   const auto ends = bodies->list_of(2, "the names of two bodies");
   return ends[0].text("name of a body") + "/" + ends[1].text("name of a body");
@@ -254,7 +253,7 @@ std::string key_of(const targets::Section& entry) {
 ModelParts read_model_parts(const ImportRequest& request) {
   const bool pair = !request.hard.empty();
   if (pair == !request.model.empty() || (!pair && !request.soft.empty()))
-    throw InvalidInput("import needs a model, or --hard FILE and --soft FILE, and one of them only");
+    throw InvalidInput("the model is missing. Give MODEL, or --hard FILE and --soft FILE");
   ModelParts out;
   std::vector<ModelFile> files;
   if (pair) {
@@ -285,9 +284,9 @@ const targets::KeyTable& hinge_choice_keys() {
   static const targets::KeyTable keys({
       {"kinetix", value::integer(1, 1), targets::needed, "version of the file format"},
       {"hinges", value::list(value::map(choice_keys()), "a list of hinges", 0), targets::no_default,
-       "hinges whose axis is set by hand"},
+       "hinges with a given axis"},
       {"towards", axis_type(), targets::no_default,
-       "of ambiguous hinges that are not listed: the axis nearer to this direction is taken"},
+       "direction for ambiguous hinges that are not listed: the nearest axis is used"},
   });
   return keys;
 }
@@ -302,7 +301,7 @@ model::HingeChoices read_hinge_choices(const std::string& file) {
                .try_emplace(key_of(section),
                             read_axis(section.required("axis", "its axis, e.g. `axis: [0, 0, 1]`")))
                .second)
-        throw entry.error("names a hinge that is named before");
+        throw entry.error("the hinge is listed twice. Remove one entry");
     }
   if (const auto towards = root.optional("towards")) out.towards = read_axis(*towards);
   return out;

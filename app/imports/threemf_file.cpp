@@ -129,7 +129,7 @@ class ThreemfModel {
     ModelPart& part = found->second;
     if (!is_new) return part;
     const pugi::xml_parse_result parsed = part.document.load_string(package_.text(name).c_str());
-    if (!parsed) fail("is damaged: `" + name + "` is no XML: " + parsed.description());
+    if (!parsed) fail("is damaged: `" + name + "` is not XML: " + parsed.description());
     part.root = part.document.child("model");
     if (!part.root) fail("is damaged: `" + name + "` has no `model`");
     for (const pugi::xml_node& node : part.root.child("resources").children()) {
@@ -241,7 +241,7 @@ class ThreemfModel {
   }
 
   void count_points(std::size_t more) {
-    if ((points_ += more) > max_points) fail("has too many points; thin the model out");
+    if ((points_ += more) > max_points) fail("has too many points. Thin the model out");
   }
 
   void add_mesh(const pugi::xml_node& node, const ModelPart& part, const Eigen::Affine3d& X,
@@ -256,7 +256,7 @@ class ThreemfModel {
     for (const pugi::xml_node& t : node.child("mesh").child("triangles").children("triangle")) {
       if (++triangles_ > max_model_triangles)
         fail("has too many triangles; at most " + std::to_string(max_model_triangles) +
-             " are allowed; thin the model out");
+             " are allowed. Thin the model out");
       std::array<int, 3> corners{t.attribute("v1").as_int(-1), t.attribute("v2").as_int(-1),
                                  t.attribute("v3").as_int(-1)};
       for (const int c : corners)

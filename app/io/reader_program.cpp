@@ -77,13 +77,13 @@ class StartedReader {
 
 std::string describe_end(int status, const ReaderLimits& limits) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    return fmt::format("is damaged or too large: it was not read within {} s; give a smaller file",
+    return fmt::format("is damaged or too large: it was not read within {} s. Give a smaller file",
                        limits.cpu_s);
   if (WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(ReaderEnd::out_of_memory))
     return fmt::format(
-        "is damaged or too large: reading it takes more than {} MiB of memory; give a smaller file",
+        "is damaged or too large: reading it takes more than {} MiB of memory. Give a smaller file",
         limits.memory_bytes >> 20);
-  return "is damaged: the library that reads it crashed; export the file again";
+  return "is damaged: the library that reads it crashed. Export the file again";
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ Forecast forecast_design(const Design& design) {
   if (design.drive && needs_elastic_hinges(*design.drive) &&
       design.hinge.model == HingeSection::Model::rotary)
     out.notes.push_back(
-        "`verify` needs elastic hinges for this drive: give `hinge: {model: elastic}`; --model equilibrium "
-        "takes rotary ones as elastic");
+        "`verify` needs elastic hinges for this drive. Give `hinge: {model: elastic}`, or use --model "
+        "equilibrium, which computes revolute joints as elastic");
   return out;
 }
 

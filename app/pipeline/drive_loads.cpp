@@ -78,8 +78,9 @@ double theta_of(const Design& design, const model::ExactMotion& exact) {
   double theta = design.theta;
   if (design.drive) theta = exact ? exact_theta_of(design, exact) : drive_of(design).theta();
   if (theta != 0) return theta;
-  throw InvalidInput("the design folds nowhere; give design.theta_deg, a drive or --theta-deg",
-                     {"", 0, 0, "design.theta_deg"});
+  throw InvalidInput(
+      "the fold angle of the design is 0. Give design.fold_angle_deg, a drive or --fold-angle-deg",
+      {"", 0, 0, "design.theta_deg"});
 }
 
 constexpr double snap_loss = 0.05;  // ratio to the mean work of a step: error by curved loads and rounding

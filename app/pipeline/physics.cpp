@@ -14,7 +14,7 @@ constexpr double settle_residual_motion = 0.01;  // cell edges: half the default
 
 model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm) {
   if (!(hinge.k_turn > 0))
-    throw InvalidInput("0 is out of range for the elastic model; allowed: a number above 0, in N mm/rad",
+    throw InvalidInput("0 is out of range for elastic hinges. Give a number above 0, in N mm/rad",
                        {"", 0, 0, "hinge.k_turn"});
   const double reach = reach_mm(hinge, physics, edge_mm);
   const auto framed = framed_stiffness(hinge);

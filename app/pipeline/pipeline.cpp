@@ -405,7 +405,7 @@ Run run_design(Design design, Model model, RunOptions options) {
   if (model == Model::exact && is_sheet) found.plan.exact = exact_motion(design.structure);
   if (model == Model::exact && is_sheet && !found.plan.exact)
     throw InvalidInput(found.plan.exact.why +
-                       "; use --model equilibrium or bullet, which need no exact family");
+                       ". Give --model equilibrium or rigid_body, which need no exact family");
   found.design = std::move(design);
   return run_found(std::move(found), nullptr, options);
 }

@@ -93,7 +93,7 @@ struct Source {
     std::optional<model::HingeKind> kind = kind_of(request);
     check_clearance_override(request, design);
     if (request.caps && !is_pin(kind.value_or(model::HingeKind::pin)))
-      throw InvalidInput("--caps are of pins");
+      throw InvalidInput("--round-caps only applies to pins. Remove it, or give --hinge pin");
     if (request.caps && !kind)
       kind = design.hinge.kind == model::HingeKind::rod ? model::HingeKind::rod : model::HingeKind::pin;
     PrintChoice choice{.clearance_mm = request.clearance_mm,

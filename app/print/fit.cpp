@@ -84,8 +84,8 @@ void check_cuttable(const Design& design, const model::Process& process,
   if (const auto hinge = first_leaning_hinge(design)) {
     const model::HingeParameters& at = design.structure.hinge(*hinge);
     throw NotPrintable(fmt::format(
-        "{} cuts flat sheets, whose walls all stand upright, and wall {} leans (alpha {:.3g}, beta {:.3g} "
-        "degrees): print the sheet instead (--process fdm), or make a panel, as of `kind: outline`",
+        "{} cuts flat sheets with upright walls, and wall {} is tilted (alpha {:.3g}, tilt {:.3g} degrees). "
+        "Print the sheet instead (--process fdm), or design a panel such as `kind: outline`",
         process.name, wall_name(design.structure, *hinge), to_degrees(at.alpha), to_degrees(at.beta)));
   }
   if (!leaves_hinges_open(design)) kinds.clear();
@@ -93,7 +93,7 @@ void check_cuttable(const Design& design, const model::Process& process,
   for (const model::HingeKind kind : kinds)
     if (kind != model::HingeKind::film)
       throw NotPrintable(fmt::format(
-          "{} cuts walls and hinges in one piece, and hinges are {}s: make them bridges (`hinge: {{kind: "
+          "{} cuts walls and hinges in one piece, and the hinges are {}s. Make them bridges (`hinge: {{kind: "
           "film}}`, or leave them open), or print the sheet instead (--process fdm)",
           process.name, to_string(kind)));
 }
@@ -184,10 +184,10 @@ bool has_custom_pins(const Design& design) {
 std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (order.path.is_exact) return "";
   if (has_custom_pins(order.design))
-    return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
-           "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
+    return ": its hinges stretch during the motion, and pins cannot. The design sets pins, and --hinge does "
+           "not replace them. Change its `hinge:` to `kind: block`, or remove it and give --hinge block";
   if (!is_pin(choice.kind) || !leaves_hinges_open(order.design)) return "";
-  return ": its hinges stretch on the way, and pins cannot (kinetix-opt export --hinge block)";
+  return ": its hinges stretch during the motion, and pins cannot. Give --hinge block";
 }
 
 /// Suggests a cell edge: "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (kinetix-opt export --cell-mm 12.5)".
@@ -195,15 +195,14 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
 std::string describe_alternative(const Order& order, const Attempt& refused, PrintChoice choice) {
   if (refused.is_bed_too_small) return "";
   const std::optional<double> edge = enough_mm(order, choice);
-  if (!edge) return "; no larger cell would do either" + instead_of_pins(order, choice);
+  if (!edge) return ". No larger cell fits either" + instead_of_pins(order, choice);
   choice.edge_mm = *edge;
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
   const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice, ClearanceSearch::verdict).print;
   const auto larger = describe_resizing(order.design.structure.size().edge_mm, *edge);
-  return fmt::format(
-      "; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (kinetix-opt export --cell-mm {:g}){}{}",
-      size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
-      larger ? ": " + *larger : "");
+  return fmt::format(". With walls of {:.3g} x {:.3g} mm a cell_mm of {:g} fits: give --cell-mm {:g}{}{}",
+                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
+                     larger ? ": " + *larger : "");
 }
 
 /// Refuses a print: by InvalidInput for a bed, an option of the command, and by NotPrintable for what the design sets.

@@ -90,7 +90,7 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
     const bool chosen = sheet.is_one_material() || sheet.process.is_multi_material;
     if (chosen && sort.material != printed)
       out.push_back(fmt::format(
-          "{} prints {} of {}: {} of {} are as stiff as the design says only if they are printed of that",
+          "{} prints {} of {}: {} of {} have the stiffness of the design only if they are printed of that",
           sheet.process.name, sheet.is_one_material() ? "walls and films in one," : "soft parts", printed,
           plural(sort.kind), describe_material(sort)));
   }
@@ -112,8 +112,8 @@ std::optional<std::string> thin_film_warning(const PrintSheet& sheet) {
     if (hinge.made.kind == model::HingeKind::film) thinnest = std::min(thinnest, hinge.made.thickness_mm);
   if (!(thinnest < filament->line_mm)) return std::nullopt;
   return fmt::format(
-      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays: slicers leave them out or "
-      "print them thicker, and stiffer than the design says",
+      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays. Slicers omit them, or print "
+      "them thicker and stiffer than designed",
       thinnest, filament->line_mm, sheet.process.name);
 }
 

@@ -43,7 +43,7 @@ std::string format_help() {
   std::string text;
   for (const PrintFormat* format : print_formats())
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", format->name, format->meaning);
-  return text + "; all: every one; several, with commas between them";
+  return text + "; all: every format. Separate several by commas";
 }
 
 model::Process process_of(const PrintRequest& request, const model::Process& of_design) {
@@ -96,10 +96,10 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
 void check_clearance_override(const PrintRequest& request, const Design& design) {
   const std::optional<double> own = clearance_override_mm(design);
   if (own && *own < request.clearance_mm)
-    throw InvalidInput(fmt::format(
-        "the design's own pins have a clearance of {:g} mm, and --clearance asks for {:g}: change "
-        "`clearance_mm` in the design",
-        *own, request.clearance_mm));
+    throw InvalidInput(
+        fmt::format("--clearance {1:g} is not the clearance of the design's pins, {0:g} mm. Change "
+                    "`clearance_mm` in the design",
+                    *own, request.clearance_mm));
 }
 
 bool changes_sheet(const PrintRequest& request, const Design& design) {
@@ -126,21 +126,21 @@ Design reopened(Design design, const PrintRequest& request) {
 
 void reject_design_options(const PrintRequest& request) {
   const auto refuse = [](bool given, const char* option, const char* why) {
-    if (given) throw InvalidInput(fmt::format("{} of designs: {}", option, why));
+    if (given) throw InvalidInput(fmt::format("{} only applies to designs: {}. Remove it", option, why));
   };
-  refuse(request.clearance_mm > 0, "--clearance is", "a coupon has gaps of its own");
-  refuse(request.caps, "--caps are", "a coupon's axes are in the middle");
-  refuse(!request.hinge.empty(), "--hinge is", "a coupon's hinges are pins");
-  refuse(request.cell_mm > 0, "--cell-mm is", "a coupon has no cells");
-  refuse(!request.lock.empty(), "--lock is", "a coupon does not fold");
-  refuse(request.loose_rods, "--loose-rods are", "a coupon's rods are printed in place");
-  refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
+  refuse(request.clearance_mm > 0, "--clearance", "a coupon has several gaps");
+  refuse(request.caps, "--round-caps", "the axes of a coupon are in the middle");
+  refuse(!request.hinge.empty(), "--hinge", "the hinges of a coupon are pins");
+  refuse(request.cell_mm > 0, "--cell-mm", "a coupon has no cells");
+  refuse(!request.lock.empty(), "--lock", "a coupon does not fold");
+  refuse(request.loose_rods, "--loose-rods", "the rods of a coupon are printed in place");
+  refuse(request.folded, "--state folded", "a coupon does not fold");
 }
 
 void reject_sheet_options(const PrintRequest& request) {
-  constexpr const char* instead = "a design of bodies is written as ";
+  constexpr const char* instead = "and this is a design of bodies. ";
   const auto refuse = [&](bool given, const char* option) {
-    if (given) throw InvalidInput(fmt::format("{} makes sheets; {}its parts are", option, instead));
+    if (given) throw InvalidInput(fmt::format("{} only applies to sheets, {}Remove it", option, instead));
   };
   refuse(!request.hinge.empty(), "--hinge");
   refuse(request.clearance_mm > 0, "--clearance");
@@ -148,19 +148,19 @@ void reject_sheet_options(const PrintRequest& request) {
   refuse(!request.bed_mm.empty(), "--bed");
   refuse(!request.lock.empty(), "--lock");
   refuse(request.loose_rods, "--loose-rods");
-  refuse(request.caps, "--caps");
+  refuse(request.caps, "--round-caps");
   refuse(request.orient != "flat", "--orient");
   refuse(request.slice, "--slice");
   constexpr std::array<std::string_view, 3> meshes = {"stl", "3mf", "glb"};
   for (const std::string& name : request.formats)
     if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
-      throw InvalidInput(fmt::format("--format: {} is of sheets; {}{}", targets::in_ticks(name), instead,
-                                     targets::joined(meshes)));
+      throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}",
+                                     targets::in_ticks(name), instead, targets::joined(meshes)));
 }
 
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {
   if (request.folded && !sheet.is_path_exact && !sheet.no_path_reason.empty())
-    throw InvalidInput("--state folded: how the design looks when it is folded is not known: " +
+    throw InvalidInput("--state folded: the folded state of the design is not known. Export it flat: " +
                        sheet.no_path_reason);
 }
 
@@ -187,16 +187,16 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
   };
   const bool has_pins = has(model::HingeKind::pin), has_rods = has(model::HingeKind::rod);
   if (const auto kind = kind_of(request); kind && !has(*kind))
-    all.push_back("--hinge changes nothing: the design says itself how its hinges are made");
+    all.push_back("--hinge has no effect: the design sets the kind of its hinges");
   if (request.clearance_mm > 0 && !has_pins && !has_rods)
-    all.push_back("--clearance changes nothing: no hinge is a pin");
+    all.push_back("--clearance has no effect: no hinge is a pin");
   if (const auto own = clearance_override_mm(design); own && request.clearance_mm > 0)
     all.push_back(fmt::format(
         "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",
         request.clearance_mm, *own));
-  if (request.loose_rods && !has_pins) all.push_back("--loose-rods changes nothing: no hinge is a pin");
+  if (request.loose_rods && !has_pins) all.push_back("--loose-rods has no effect: no hinge is a pin");
   if (request.caps && !sheet.has_caps())
-    all.push_back("--caps changes nothing: all axes are in the middle of their walls");
+    all.push_back("--round-caps has no effect: all axes are in the middle of their walls");
   return all;
 }
 
@@ -205,9 +205,9 @@ std::optional<std::string> sheet_note(const Design& design, const PrintSheet& sh
   const double height_mm = design.structure.size().height_mm;
   if (!sheet.process.cuts_sheets() || sheet.process.sheet_mm == height_mm) return std::nullopt;
   return fmt::format(
-      "walls are {:g} mm high, as the sheet is thick, instead of {:g}: bridges are softer or stiffer by as "
-      "much; "
-      "for another sheet give the design `process: {{base: {}, sheet_mm: ...}}` and walls of that height",
+      "walls are {:g} mm high, the thickness of the sheet, instead of {:g}. This changes the stiffness of "
+      "bridges. For another sheet give the design `process: {{base: {}, sheet_mm: ...}}` and walls of that "
+      "height",
       sheet.process.sheet_mm, height_mm, sheet.process.name);
 }
 
@@ -218,10 +218,10 @@ std::optional<std::string> size_note(const Design& design, const PrintSheet& she
   const auto resized = describe_resizing(design_edge_mm, edge_mm);
   if (!resized) return std::nullopt;
   return fmt::format(
-      "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
-      "with {} cells{}",
+      "made with cells of {:.3g} mm instead of {:.3g}: {}. For the size of the goal search again with {} "
+      "cells{}",
       edge_mm, design_edge_mm, *resized, edge_mm > design_edge_mm ? "fewer" : "more",
-      sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
+      sheet.is_path_exact ? "" : ". Its fold is the scaled equilibrium of the original size");
 }
 
 /// Describes the hinge that is strained farthest beyond what its material bears along the path to the fold.
@@ -232,7 +232,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
     if (one && one->share() > (worst ? worst->share() : 1 + strain_report_threshold)) worst = one;
   }
   if (!worst) return std::nullopt;
-  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
+  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " during the motion to the fold");
 }
 
 /// Describes how the elastic hinges' equilibrium, which result.json reports, differs from the fold of the closed form.
@@ -258,16 +258,14 @@ std::optional<std::string> always_flat_note(const PrintRequest& request, const F
   const std::string flat = names_of(formats, [](const PrintFormat& format) { return format.is_always_flat; });
   if (!request.folded || flat.empty()) return std::nullopt;
   return fmt::format(
-      "--state folded changes nothing in {}, where the sheet is always flat; sizes here are of the fold",
-      flat);
+      "--state folded has no effect in {}, where the sheet is always flat. Sizes here are of the fold", flat);
 }
 
 /// Describes that tiles are printed flat, if the folded state is requested.
 std::optional<std::string> flat_tiles_note(const PrintRequest& request, const PrintSheet& sheet) {
   if (!request.folded || sheet.tiles.count() < 2) return std::nullopt;
-  return "--state folded changes nothing in tiles, which are printed flat, on the sheet's own side; sizes "
-         "here "
-         "are of the fold";
+  return "--state folded has no effect on tiles, which are printed flat, with the designed side up. Sizes "
+         "here are of the fold";
 }
 
 /// Describes the formats that ignore the orientation on the bed. @param lie the chosen orientation
@@ -295,9 +293,8 @@ std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Forma
   const std::string rigid = names_of(formats, [](const PrintFormat& format) { return format.turns_alone; });
   if (sheet.is_path_exact || sheet.path.size() < 2 || rigid.empty()) return std::nullopt;
   return fmt::format(
-      "hinges of {} turn and do not stretch, as those of the design do on the way: its actuator need not "
-      "reach "
-      "the fold",
+      "hinges of {} turn and do not stretch, and those of the design stretch during the motion. The drive "
+      "may not reach the fold",
       rigid);
 }
 

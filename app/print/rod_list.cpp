@@ -46,7 +46,8 @@ std::string describe_rod_source(const PrintSheet& sheet, const std::vector<RodSo
   const auto is_printable = [](const RodSort& sort) { return sort.is_printable; };
   if (std::none_of(sorts.begin(), sorts.end(), is_printable)) return "Cut them from wire";
   if (!std::all_of(sorts.begin(), sorts.end(), is_printable))
-    return fmt::format("Cut them from wire; the file of rods has those that {} prints", sheet.process.name);
+    return fmt::format("Cut them from wire. The file of rods contains those that {} prints",
+                       sheet.process.name);
   const bool is_wire =
       std::any_of(sheet.hinges.begin(), sheet.hinges.end(),
                   [](const model::HingePrint& hinge) { return hinge.made.kind == model::HingeKind::rod; });

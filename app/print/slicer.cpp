@@ -180,7 +180,7 @@ SlicerAnswer sliced(const WorkFolder& folder, const SlicerProgram& program, cons
                         program.name, program.limit_s)};
   const SliceEstimate estimate = slicing.read(output);
   if (!(estimate.seconds > 0) || !(estimate.material_mm3 > 0))
-    return {{}, program.name + " said neither time nor material"};
+    return {{}, program.name + " reported neither time nor material"};
   return {estimate};
 }
 

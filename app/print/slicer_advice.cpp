@@ -32,7 +32,7 @@ std::string describe_gaps(const PrintJob& job, const GapSettings& gaps) {
   const std::string radius = fmt::format("slice gap closing radius {:g} mm", gaps.closing_radius_mm),
                     foot = fmt::format("elephant foot compensation {:g} mm", gaps.elephant_foot_mm);
   if (is_foot_of_printer(job.sheet))
-    return fmt::format("{}: {}; {}: set it in the printer's settings, since a 3MF file cannot", radius,
+    return fmt::format("{}: {}. Set {} in the printer's settings, since a 3MF file cannot", radius,
                        set_by_hand, foot);
   return fmt::format("{}, {}, XY size compensation {:g} mm: {}", radius, foot, gaps.expansion_mm,
                      set_by_hand);
@@ -59,7 +59,7 @@ std::string describe_first_layer(const PrintJob& job) {
       "layers of {:g} mm or less, the first too: gaps between knuckles are "
       "at least two of them high",
       filament.layer_mm);
-  const std::string knife = "; separate parts that fuse on the bed with a knife";
+  const std::string knife = ". Separate parts that fuse on the bed with a knife";
   if (job.slicer == Slicer::cura) return layers + knife;
   return layers + knife +
          fmt::format(", as slicers do not narrow outlines below {:g} mm there", 2 * filament.line_mm);

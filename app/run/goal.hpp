@@ -64,10 +64,18 @@ struct GoalMeasure {
   double (*of)(const Goal& goal, const model::Lattice& structure, const model::State& state);
 };
 
+/// File that a target of a kind names.
+struct GoalFile {
+  std::string_view key;   ///< of the section `target`
+  std::string_view form;  ///< header of a table of points ("x,z"), "picture" or "mesh"
+};
+
 /// Kind of goal: how its targets are read, and what the program must know about all of them.
 struct GoalKind {
-  std::string_view name;     ///< `target.kind`
-  std::string_view example;  ///< the shortest `target:` of this kind
+  std::string_view name;              ///< `target.kind`
+  std::string_view example;           ///< the shortest `target:` of this kind
+  std::string_view meaning = {};      ///< for the list of kinds, a noun phrase
+  std::optional<GoalFile> file = {};  ///< that its targets name; empty: none
   /// Reads a target. @param root a target of this kind @throws InvalidInput for all that the format does not allow
   std::unique_ptr<Goal> (*read)(const targets::Node& root);
   /// Returns every key of its files.

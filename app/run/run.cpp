@@ -83,14 +83,13 @@ std::array<std::string, 2> wall_names(const model::WallPair& walls, const model:
 std::string describe_overlap(const model::WallPair& walls, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(walls, sheet);
   return fmt::format(
-      "walls {} and {} overlap as built, before anything turns, so that no sheet of rigid walls can be made "
-      "so: lower or thinner walls, less tilt or larger cells keep them apart",
+      "walls {} and {} overlap in the flat sheet. Use lower or thinner walls, less tilt or larger cells",
       first, second);
 }
 
 std::string describe_overlap(const model::ContactLimit& limit, double theta, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(limit.walls, sheet);
-  return fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
+  return fmt::format("walls {} and {} overlap at {:.3g} deg, before the fold angle {:.3g} deg", first, second,
                      to_degrees(*limit.contact), to_degrees(theta));
 }
 

@@ -153,7 +153,7 @@ const Outcome& outcome_of(const SearchResult& found) {
 /// State of a design that is measured.
 enum class StateOf { model, equilibrium, physics };
 
-/// Returns "model", "equilibrium" or "physics run". The second is that of elastic hinges of a goal of an exact
+/// Returns "model", "equilibrium" or "simulation". The second is that of elastic hinges of a goal of an exact
 /// family.
 std::string describe(StateOf of);
 

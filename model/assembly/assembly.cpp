@@ -53,7 +53,8 @@ class Builder {
 
   Assembly run() {
     if (out_.bodies.size() < 2)
-      throw InvalidInput("has " + std::to_string(out_.bodies.size()) + " hard parts; a hinge joins two");
+      throw InvalidInput("has " + std::to_string(out_.bodies.size()) +
+                         " hard parts. Split it, or give hinges that join two parts");
     check_crossings();
     add_soft_hinges();
     add_pins();
@@ -62,7 +63,7 @@ class Builder {
     order_axes();
     out_.edge_mm = hinge_distance(out_);
     if (!(out_.edge_mm > 0))
-      throw InvalidInput("bodies that share a hinge have one center; there is no length to measure by");
+      throw InvalidInput("bodies that share a hinge have the same center. Give `cell_mm`");
     return std::move(out_);
   }
 
@@ -132,20 +133,20 @@ class Builder {
     throw InvalidInput("soft part `" + part.name + "` touches " +
                        (found.empty() ? "no" : std::to_string(found.size())) + " hard part" +
                        (found.size() == 1 ? "" : "s") + names +
-                       "; a hinge joins two, whose faces it meets within 0.05 mm");
+                       ". Give hinges that touch two hard parts within 0.05 mm");
   }
 
   void add_soft_hinge(const ModelPart& part, const Touch& first, const Touch& second) {
     std::optional<SoftHinge> shape = soft_hinge(part.solid, first.patch, second.patch);
     if (!shape)
       throw InvalidInput("soft part `" + part.name +
-                         "` has no length between the two hard parts that it touches");
+                         "` has no length between its two hard parts. Move the parts apart");
     const AssemblyBody &a = out_.bodies[first.body], &b = out_.bodies[second.body];
     if (const Vector3d* axis = chosen(part.name, a.name, b.name)) {
       if (!(axis->cross(shape->along).norm() > near_axis))
         throw InvalidInput(
             "hinge `" + part.name +
-            "`: the axis that is asked for runs along the soft part, from one hard part to the other");
+            "`: the given axis runs along the soft part, from one hard part to the other. Give another axis");
       shape = turned_to(*shape, part.solid, first.patch, second.patch, *axis);
     } else if (shape->is_ambiguous()) {
       settle(part, a, b, first, second, *shape);
@@ -164,7 +165,7 @@ class Builder {
     if (!choices_.towards)
       throw InvalidInput("soft part `" + part.name + "` between `" + a.name + "` and `" + b.name +
                          "` bends about either of two axes, " + text(tidy(shape.axis)) + " or " +
-                         text(tidy(shape.other)) + "; say which with --hinges FILE, e.g. `hinges: [{hinge: " +
+                         text(tidy(shape.other)) + ". Set it by --hinges FILE, e.g. `hinges: [{hinge: " +
                          part.name + ", axis: " + text(tidy(shape.axis)) + "}]`");
     const double own = std::abs(shape.axis.dot(*choices_.towards)),
                  other = std::abs(shape.other.dot(*choices_.towards));

@@ -107,7 +107,7 @@ class TileShape {
                      after = corners_[(k + 1) % n] - corners_[k];
       if (!(before.norm() > 0)) refuse_tile(tile_, "has corner " + std::to_string(k + 1) + " twice");
       if (!(normal_.dot(before.cross(after)) > 0))
-        refuse_tile(tile_, "is not convex at corner " + std::to_string(k + 1) + "; cut it into convex ones");
+        refuse_tile(tile_, "is not convex at corner " + std::to_string(k + 1) + ". Cut it into convex ones");
     }
   }
 
@@ -159,12 +159,12 @@ class TileBuilder {
     const std::string what = joint_label(joint);
     const int tiles = static_cast<int>(sheet_.tiles.size());
     if (tile < 0 || tile >= tiles)
-      throw InvalidInput(what + "there is no tile " + std::to_string(tile) + "; they go from 0 to " +
+      throw InvalidInput(what + "the file has no tile " + std::to_string(tile) + ". Give 0 to " +
                          std::to_string(tiles - 1));
     const int corners = static_cast<int>(sheet_.tiles[tile].size());
     if (corner < 0 || corner >= corners)
       throw InvalidInput(what + "tile " + std::to_string(tile) + " has no corner " + std::to_string(corner) +
-                         "; they go from 0 to " + std::to_string(corners - 1));
+                         ". Give 0 to " + std::to_string(corners - 1));
     return sheet_.tiles[tile][corner];
   }
 

@@ -137,7 +137,8 @@ double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::fu
   if (drive.kind == Kind::shape_memory) return drive.theta();
   if (drive.kind == Kind::cord) {
     if (const auto theta = theta_of_cord(drive, linkage, fold)) return *theta;
-    throw InvalidInput("drive: no theta up to 89.9 deg makes this structure's cord so short");
+    throw InvalidInput(
+        "drive: no fold angle up to 89.9 deg shortens the tendon that much. Give a smaller shorten_mm");
   }
   const DriveMiss miss(drive, linkage, fold);
   const bool backwards = drive.kind == Kind::plates ? drive.branch < 0 : drive.theta() < 0;
@@ -149,7 +150,9 @@ double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::fu
     if (now == 0 || (now > 0) != (before > 0)) return bisect(miss, (k - 1) * step, k * step);
     before = now;
   }
-  throw InvalidInput("drive: no theta up to 89.9 deg gives this structure what the drive asks for");
+  throw InvalidInput(
+      "drive: no fold angle up to 89.9 deg reaches the goal of the drive. Give a smaller compression or "
+      "angle");
 }
 
 std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& linkage,

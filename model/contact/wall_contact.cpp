@@ -199,8 +199,7 @@ ContactRange theta_range(const Linkage& structure, const FoldFunction& fold,
 
 ContactRange theta_range(const Linkage& structure, const ExactMotion& exact,
                          const ThetaRangeOptions& options) {
-  if (!exact)
-    throw InvalidInput("the range of theta is known only for exactly mobile structures: " + exact.why);
+  if (!exact) throw InvalidInput("the range of the fold angle is only known for mechanisms: " + exact.why);
   const FoldFunction along = [&](double theta, State& state) { state = exact.at(theta); };
   return theta_range(structure, along, options);
 }

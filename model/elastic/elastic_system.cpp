@@ -22,8 +22,8 @@ void refuse_overlap(const Linkage& structure, const ContactModel& walls) {
   if (!pair) return;
   const auto wall = [&](int plate) { return structure.wall_name(ContactModel::hinge(plate)); };
   throw InvalidInput("walls " + wall(pair->first) + " and " + wall(pair->second) +
-                     " overlap in the flat state; make walls thinner, lower or less tilted, or put hinges "
-                     "further from the ends of their walls");
+                     " overlap in the flat state. Make walls thinner, lower or less tilted, or move hinges "
+                     "away from the ends of their walls");
 }
 
 void add(Eigen::VectorXd& sum, int a, int b, const Vector12& gradient) {

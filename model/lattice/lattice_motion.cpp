@@ -13,7 +13,8 @@ LinkageDrive turned(const Linkage& bodies, int hinge, double angle) {
   if (hinge < 0) hinge = first_motion(bodies).fastest;
   if (hinge < 0)
     throw InvalidInput(
-        "nothing moves: no hinge turns in a first motion; `drive: {hinge: NAME, ...}` says which to turn");
+        "nothing moves: no hinge turns in the first-order motion. Name a hinge by `drive: {hinge: NAME, "
+        "...}`");
   return turned_hinge(hinge, bodies.bodies[bodies.hinges[hinge].lower].sense, angle);
 }
 

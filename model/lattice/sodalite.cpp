@@ -211,7 +211,7 @@ void validate_hinges(const SodaliteStructure& s) {
       throw InvalidInput("t of " + name + " is " + number_text(t) + ", must be in (0, 1)");
     if (!(std::abs(alpha - alpha_of(s, h)) <= fixed_axis_tolerance) ||
         !(std::abs(beta) <= fixed_axis_tolerance) || !(offset == 0))
-      throw InvalidInput(name + " has the axis of its rotor; a sodalite lattice leaves t alone free");
+      throw InvalidInput(name + " has the axis of its rotor. Remove all keys but hinge_position");
   }
 }
 

@@ -220,7 +220,7 @@ void check_cord(const Linkage& linkage, const std::vector<int>& through) {
     refuse_cord(
         "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive "
         "shortens this "
-        "cord; name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
+        "cord. Name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
         "other one");
 }
 
@@ -251,7 +251,7 @@ LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through,
   drive.shorten_mm = shorten_mm;
   if (shorten_mm >= 0 && shorten_mm < drive.rest_mm) return drive;
   throw InvalidInput(number_text(shorten_mm) +
-                         " is out of range; allowed: a number from 0 and below the cord's length, " +
+                         " is out of range. Give a number from 0 and below the cord's length, " +
                          number_text(drive.rest_mm) + " mm",
                      {"", 0, 0, "drive.shorten_mm"});
 }

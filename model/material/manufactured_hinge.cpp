@@ -141,11 +141,10 @@ void check_pin(const ManufacturedHinge& p, const CellSize& size) {
   if (!(most > 0))
     throw InvalidInput("a pin does not fit cells of " + number_text(size.edge_mm) + " mm: its clearance of " +
                        number_text(p.clearance_mm) +
-                       " mm and walls of 0.8 mm leave no room for a rod where two knuckles of one body stand "
-                       "beside each other");
+                       " mm and walls of 0.8 mm leave no room for a rod next to two knuckles of one body");
   require("diameter_mm", p.diameter_mm, false,
           "at most " + number_text(most) +
-              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body then stand beside each "
+              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body are then next to each "
               "other");
 }
 

@@ -24,8 +24,8 @@ class Problems {
     if (asked >= least) return;
     std::ostringstream text;
     if (asked < plainly_less * least) text << std::setprecision(3);
-    text << what << " of " << asked << " mm is less than " << process_.name
-         << (process_.cuts_sheets() ? " cuts, " : " prints, ") << least << " mm";
+    text << what << " of " << asked << " mm is below the minimum of " << process_.name << ", " << least
+         << " mm";
     all_.push_back({text.str(), edge_mm_ * least / asked});
   }
 

@@ -28,10 +28,10 @@ AngleRange range_of_size(const model::Structure& strip, const BendTies& ties, in
 BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta) {
   if (per != Per::column && per != Per::all)
     throw InvalidInput(
-        "a strip keeps its exact motion only if all tilts of a column agree; allowed: column, all");
+        "a strip has one degree of freedom only if all tilts of a column are equal. Give column or all");
   if (symmetry == Symmetry::rotate_4)
     throw InvalidInput(
-        "a sheet that bends along x cannot have a four-fold symmetry; allowed: none, mirror_x, mirror_y, "
+        "a sheet that bends along x cannot have a four-fold symmetry. Give none, mirror_x, mirror_y or "
         "rotate_2");
   BendTies ties;
   for (int c = 0; c < columns; ++c) {

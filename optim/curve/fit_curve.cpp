@@ -22,14 +22,13 @@ void note_length(const CurveFit& fit, CurveReach& reach) {
   reach.longest_mm = straight * std::cos(theta.lower);
   const bool too_short = reach.longest_mm < length;
   if (!too_short && !(reach.shortest_mm > max_slack * length)) return;
-  reach.obstacles.push_back(fmt::format(
-      "the curve is {:.1f} mm long; {} cells of {:.3g} mm span at most {:.1f} mm and, straight, at least "
-      "{:.1f} mm (theta "
-      "{:.1f} to {:.1f} deg): use {} cells or cell_mm {:.3g}",
-      length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm, to_degrees(theta.lower),
-      to_degrees(theta.upper),
-      std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
-      length / (columns * std::cos((theta.lower + theta.upper) / 2))));
+  reach.obstacles.push_back(
+      fmt::format("the curve is {0:.1f} mm long, and {1} cells of {2:.3g} mm span {4:.1f} to {3:.1f} mm "
+                  "(fold angle {5:.1f} to {6:.1f} deg). Use {7} cells or cell_mm {8:.3g}",
+                  length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm,
+                  to_degrees(theta.lower), to_degrees(theta.upper),
+                  std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
+                  length / (columns * std::cos((theta.lower + theta.upper) / 2))));
 }
 
 void note_turn(const CurveFit& fit, CurveReach& reach) {
@@ -46,14 +45,14 @@ void note_turn(const CurveFit& fit, CurveReach& reach) {
   const std::string bounds =
       too_little
           ? fmt::format(
-                "the bounds allow {:.1f} deg at theta {:.1f} deg{}: allow larger tilts, a larger "
-                "theta, or use smaller cells",
+                "the bounds allow {:.1f} deg at fold angle {:.1f} deg{}. Allow larger tilts or a larger fold "
+                "angle, or use smaller cells",
                 to_degrees(worst->allowed), to_degrees(reach.theta), others)
           : fmt::format(
-                "the bounds ask for at least {:.1f} deg more at theta {:.1f} deg{}: allow smaller tilts",
+                "the bounds require at least {:.1f} deg more at fold angle {:.1f} deg{}. Allow smaller tilts",
                 to_degrees(worst->excess), to_degrees(reach.theta), others);
   reach.obstacles.push_back(fmt::format(
-      "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} would need to turn {:.1f} deg to the {}, {}",
+      "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} needs to turn {:.1f} deg to the {}, and {}",
       worst->arc_mm, at.x(), at.y(), worst->column, to_degrees(turn), worst->needed < 0 ? "right" : "left",
       bounds));
 }
@@ -254,11 +253,12 @@ void keep_below_closing(CurveVariables& v, const model::CellSize& size, std::vec
   const double closing = closing_theta(size) - model::closing_margin;
   if (!(v.theta.upper > closing)) return;
   if (!(v.theta.lower < closing))
-    throw InvalidInput(fmt::format(
-        "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",
-        size.thickness_mm, size.edge_mm, to_degrees(closing)));
+    throw InvalidInput(
+        fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the "
+                    "fold angle. Give thinner walls or smaller angles",
+                    size.thickness_mm, size.edge_mm, to_degrees(closing)));
   v.theta.upper = closing;
-  notes.push_back(fmt::format("theta kept below {:.2f} deg, where walls of {:.3g} mm close the cells",
+  notes.push_back(fmt::format("fold angle limited to {:.3g} deg, where walls of {:.3g} mm close the cells",
                               to_degrees(closing), size.thickness_mm));
 }
 
@@ -355,7 +355,7 @@ void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::Ce
     v.theta.upper = next_theta(wide, contact);
     if (!(v.theta.lower < v.theta.upper)) return;
     if (contact.touches)
-      narrowed = fmt::format("theta kept below {:.1f} deg: beyond, walls of such tilts run into each other",
+      narrowed = fmt::format("fold angle limited to {:.3g} deg: above it, walls with such tilts collide",
                              to_degrees(v.theta.upper));
     wide = fit_curve(goal, v, options);
   }

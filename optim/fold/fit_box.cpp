@@ -79,8 +79,8 @@ std::array<int, 3> nearest_cells(const Lengths& required_mm, const Lengths& inse
   }
   if (!std::isfinite(least))
     throw InvalidInput(
-        fmt::format("the longest edge of the box would take more than {} cells; its edges may differ by a "
-                    "factor of {} at most",
+        fmt::format("the longest edge of the box needs more than {} cells. Give edges that differ by a "
+                    "factor of at most {}",
                     targets::max_face_side, targets::max_face_side / fewest));
   return best;
 }

@@ -45,7 +45,7 @@ std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>&
   return steepest;
 }
 
-constexpr const char* stopped_reason = "the search was told to stop";
+constexpr const char* stopped_reason = "the search was stopped";
 
 /// Reason why a net with given columns does not fold.
 struct Obstacle {
@@ -64,8 +64,8 @@ class NetSearch {
   FoldDesign run() {
     if (!(upper_ > options_.theta.lower))
       throw InvalidInput(
-          fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range "
-                      "asked for",
+          fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the "
+                      "fold angle. Give thinner walls or smaller angles",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
     const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : max_columns_per_right_angle;
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
@@ -117,8 +117,8 @@ class NetSearch {
 
   Obstacle too_steep(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t c,
                      double tilt) const {
-    return {fmt::format("crease `{}` of {} would need tilts of {:.1f} deg even at theta {:.1f} deg; at most "
-                        "{:.1f} deg is allowed: give it more columns",
+    return {fmt::format("crease `{}` of {} needs tilts of {:.1f} deg even at fold angle {:.1f} deg, and the "
+                        "limit is {:.1f} deg. Give it more columns",
                         crease_name(net, net.creases[c]), columns_text(columns[c]), to_degrees(tilt),
                         to_degrees(upper_), to_degrees(options_.tilt)),
             true};
@@ -347,7 +347,7 @@ class SolidSearch {
     double farthest = 0, wanted = 0;
     const int steps = static_cast<int>((options_.theta.upper - least) / sample_step);
     for (int k = 0; k <= steps; ++k) {
-      if (options_.stop.stop_requested()) return "the search was told to stop";
+      if (options_.stop.stop_requested()) return "the search was stopped";
       fold_at(options_.theta.upper - k * sample_step);
       const double free = free_to();
       if (free >= design_.theta) return {};

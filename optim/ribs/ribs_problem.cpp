@@ -245,8 +245,8 @@ std::vector<int> rib_rows(const RibsSpec& spec, double length, double pitch, int
   const int count = ribs_of(spec, length - pitch, rows);
   if (2 * count - 1 > rows)
     throw InvalidInput(
-        fmt::format("{} ribs overlap flat: the spine has {} rows of cells, room for at most {} ribs; "
-                    "use fewer ribs or smaller cells",
+        fmt::format("{} ribs overlap in the flat sheet: the spine has {} rows of cells, room for {} ribs. "
+                    "Use fewer ribs or smaller cells",
                     count, rows, (rows + 1) / 2));
   std::vector<int> out;
   for (int k = 0; k < count; ++k)

@@ -124,7 +124,7 @@ constexpr int max_failures = 20;
 /// Returns NLopt's method, if it uses gradients and bounds. @throws InvalidInput for other methods
 nlopt::algorithm algorithm(SolverName name) {
   if (name != SolverName::slsqp && name != SolverName::mma && name != SolverName::ccsa)
-    throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost; use mma, ccsa or slsqp");
+    throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost. Use mma, ccsa or slsqp");
   return static_cast<nlopt::algorithm>(nlopt_algorithm(name));
 }
 

@@ -83,16 +83,15 @@ std::string obstacle(const targets::SpaceBlockGoal& goal, const SpaceBlockVariab
   const Eigen::Vector3d shrinks = shrinks_of(goal.factors);
   if (!(shrinks.minCoeff() > 0))
     return fmt::format(
-        "one direction shrinks by {:g} and the others by {:g} together; allowed is less than "
-        "they do",
+        "one direction shrinks by {:g} and the others together by {:g}. Give a direction less than the sum "
+        "of the others",
         1 - goal.factors.minCoeff(), 2 - goal.factors.sum() + goal.factors.minCoeff());
   const Eigen::Vector3d gussets = gussets_of(shrinks, theta_of(shrinks, v));
   constexpr double rounding = 1e-12;
   if (gussets.minCoeff() >= v.gusset[0] - rounding && gussets.maxCoeff() <= v.gusset[1] + rounding) return {};
   return fmt::format(
-      "no theta from {:g} to {:g} deg has all gussets from {:g} to {:g} edges (`variables`): at {:.3g} deg "
-      "they "
-      "are {:.3g} to {:.3g}",
+      "no fold angle from {:g} to {:g} deg has all gussets from {:g} to {:g} edges (`variables`): at {:.3g} "
+      "deg they are {:.3g} to {:.3g}",
       to_degrees(v.theta.lower), to_degrees(v.theta.upper), v.gusset[0], v.gusset[1],
       to_degrees(theta_of(shrinks, v)), gussets.minCoeff(), gussets.maxCoeff());
 }

@@ -147,9 +147,10 @@ Across across_of(const targets::SpaceGoal& goal, int columns) {
 AngleRange allowed_theta(const SpaceVariables& v) {
   const double closing = closing_theta(v.size) - model::closing_margin;
   if (!(v.theta.lower < closing))
-    throw InvalidInput(fmt::format(
-        "walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range asked for",
-        v.size.thickness_mm, v.size.edge_mm, to_degrees(closing)));
+    throw InvalidInput(
+        fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the "
+                    "fold angle. Give thinner walls or smaller angles",
+                    v.size.thickness_mm, v.size.edge_mm, to_degrees(closing)));
   return {v.theta.lower, std::min(v.theta.upper, closing)};
 }
 
@@ -337,12 +338,12 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   if (!(across.slope <= most.climb / 2))
     return SpaceObstacle{
         across.arc_mm,
-        fmt::format("the curve climbs across the strip by {:.3g} of its length {}, more than the "
-                    "{:.3g} that columns can shear at theta {:.3g} deg, in whatever direction the strip "
-                    "lies; allow a larger theta (variables.theta.range_deg) or t nearer to 0 and 1 "
-                    "(variables.t.range)",
-                    across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
-                    to_degrees(allowed_theta(v).upper))};
+        fmt::format(
+            "the curve climbs across the strip by {:.3g} of its length {}, and columns can shear at most "
+            "{:.3g} at fold angle {:.3g} deg, for every direction of the strip. Allow a larger "
+            "variables.fold_angle.range_deg, or positions nearer to 0 and 1 (variables.hinge_position.range)",
+            across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
+            to_degrees(allowed_theta(v).upper))};
   const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);
   std::size_t where = 0;
   const double turn = largest(strip.turn, where);
@@ -350,7 +351,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   const double arc = goal.length() * (2.0 * static_cast<double>(where) + 1.5) / v.columns;
   return SpaceObstacle{
       arc, fmt::format("the curve turns by {:.3g} deg within two columns {}, more than the {:.3g} deg "
-                       "that a column can bend; use more columns or allow a larger tilt",
+                       "that a column can bend. Use more columns or allow a larger tilt",
                        to_degrees(turn), describe_place(goal, arc), to_degrees(most.turn))};
 }
 

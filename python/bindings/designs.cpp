@@ -137,7 +137,7 @@ PythonDesign::PythonDesign(app::Design file)
 const model::ExactMotion& PythonDesign::needed_exact() const {
   if (!exact_)
     throw InvalidInput(exact_.why +
-                       "; simulate with model=\"equilibrium\" or \"bullet\", which need no exact family");
+                       ". Simulate with model=\"equilibrium\" or \"rigid_body\", which need no exact family");
   return exact_;
 }
 

@@ -73,11 +73,12 @@ std::shared_ptr<app::Run> optimise(const PythonTarget& target, RunChoice choice)
 std::shared_ptr<app::Run> simulate(const PythonDesign& design, const std::string& file,
                                    const std::string& model, RunChoice choice) {
   choice.keeps_best = false;
-  const app::Model of = model == "bullet"        ? app::Model::bullet
-                        : model == "equilibrium" ? app::Model::equilibrium
+  const std::string known = model == "rigid_body" ? "bullet" : model;  // the current and the earlier name
+  const app::Model of = known == "bullet"        ? app::Model::bullet
+                        : known == "equilibrium" ? app::Model::equilibrium
                                                  : app::Model::exact;
-  if (model != to_string(of))
-    throw InvalidInput("model `" + model + "` is not known; allowed: exact, equilibrium, bullet");
+  if (known != to_string(of))
+    throw InvalidInput("model `" + model + "` is not known; allowed: exact, equilibrium, rigid_body");
   const app::Design asked = design.file();
   return run_in_python([&](const app::RunOptions& options) { return run_design(asked, of, options); }, file,
                        std::move(choice));

@@ -36,9 +36,8 @@ std::string number(std::size_t k) { return std::to_string(k + 1); }
 }  // namespace
 
 InvalidCurve repeated_point(std::size_t k) {
-  return InvalidCurve(
-      "points " + number(k - 1) + " and " + number(k) + " are the same; every point must be new",
-      static_cast<int>(k));
+  return InvalidCurve("points " + number(k - 1) + " and " + number(k) + " are the same. Remove one of them",
+                      static_cast<int>(k));
 }
 
 template <class Point>
@@ -58,7 +57,7 @@ template void check_points(const std::vector<Eigen::Vector3d>& points);
 template <class Point>
 void check_open(const std::vector<Point>& points) {
   if ((points.front() - points.back()).norm() <= touching * model::box_of(points).diagonal().norm())
-    throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
+    throw InvalidCurve("the curve is closed: its last point is its first. Give an open curve",
                        static_cast<int>(points.size()) - 1);
 }
 

@@ -84,7 +84,7 @@ class CsvReader {
       else
         read_point();
     }
-    if (!has_header_) throw InvalidInput("holds no points; " + wanted_header(), {file_});
+    if (!has_header_) throw InvalidInput("the file has no points. " + wanted_header(), {file_});
     Rows out{std::move(points_), {}, {file_}};
     for (const int line : line_of_point_) out.places.push_back({file_, line, 1});
     return out;
@@ -93,7 +93,7 @@ class CsvReader {
  private:
   /// The end of messages about the first line: what would be right.
   std::string wanted_header() const {
-    return "the first line must be the header `" + joined_axes(axes_, ",") + "`, with points in millimetres";
+    return "Write the header `" + joined_axes(axes_, ",") + "` as the first line, with points in millimetres";
   }
 
   /// Moves to the next line that is neither empty nor a comment.
@@ -118,30 +118,31 @@ class CsvReader {
     has_header_ = true;
     const auto fields = fields_of(line_);
     const bool has_digits = line_.find_first_not_of("+-.,;0123456789eE \t") == std::string_view::npos;
-    if (has_digits) refuse(0, "the header is missing; " + wanted_header());
+    if (has_digits) refuse(0, "the header is missing. " + wanted_header());
     if (fields.size() != axes_.size())
-      refuse(0, in_ticks(line_) + " is not the header of " + spell_count(axes_) + " columns; " +
-                    wanted_header());
+      refuse(0,
+             in_ticks(line_) + " is not a header of " + spell_count(axes_) + " columns. " + wanted_header());
     for (std::size_t k = 0; k < fields.size(); ++k) check_title(fields[k], axes_[k]);
   }
 
   void check_title(const Field& field, const std::string& wanted) const {
     const Title title = title_of(field.text);
     if (title.axis != wanted)
-      refuse(field.position,
-             in_ticks(field.text) + " stands where `" + wanted + "` belongs; " + wanted_header());
+      refuse(field.position, in_ticks(field.text) + " is not the name `" + wanted +
+                                 "` that is expected here. " + wanted_header());
     if (!title.unit.empty() && title.unit != "mm")
-      refuse(field.position, in_ticks(field.text) +
-                                 " names another unit, but points are in millimetres; convert "
-                                 "the numbers and write the header `" +
-                                 joined_axes(axes_, ",") + "`");
+      refuse(
+          field.position,
+          in_ticks(field.text) +
+              " has another unit, and points are in millimetres. Convert the numbers and write the header `" +
+              joined_axes(axes_, ",") + "`");
   }
 
   void read_point() {
     const auto fields = fields_of(line_);
     if (fields.size() != axes_.size()) refuse_columns(fields.size());
     if (points_.size() == most_)
-      refuse(0, "too many points; at most " + std::to_string(most_) + " are allowed");
+      refuse(0, "there are too many points. Give at most " + std::to_string(most_));
     points_.emplace_back();
     for (const Field& field : fields) points_.back().push_back(number(field));
     line_of_point_.push_back(number_);
@@ -149,11 +150,11 @@ class CsvReader {
 
   [[noreturn]] void refuse_columns(std::size_t count) const {
     const bool has_semicolon = line_.find(';') != std::string_view::npos;
-    const char* hint = has_semicolon          ? "; separate the columns by a comma, not by `;`"
-                       : count > axes_.size() ? "; write decimals with a point, not a comma"
+    const char* hint = has_semicolon          ? ". Separate the columns by a comma, not by `;`"
+                       : count > axes_.size() ? ". Write decimals with a point, not a comma"
                                               : "";
     refuse(0, in_ticks(line_) + " has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
-                  "; give " + spell_count(axes_) + ", " + describe(axes_) + " in millimetres" + hint);
+                  ". Give " + spell_count(axes_) + ", " + describe(axes_) + " in millimetres" + hint);
   }
 
   double number(const Field& field) const {
@@ -180,7 +181,7 @@ Rows read_inline(const Node& list, const Axes& axes, std::size_t most) {
   const std::string form = form_of(axes);
   const auto nodes = list.list("the path of a CSV file or a list of points [" + form + ", ...] in mm");
   if (nodes.size() > most)
-    throw list.error("too many points; at most " + std::to_string(most) + " are allowed");
+    throw list.error("there are too many points. Give at most " + std::to_string(most));
   Rows out{{}, {}, list.place()};
   for (const Node& node : nodes) {
     out.points.emplace_back();
@@ -256,7 +257,8 @@ const KeyTable& curve_target_keys() {
   static const KeyTable keys({
       goal_kind_key("curve"),
       {"points", points_type(second_axis), needed,
-       "the goal, in mm: open, not crossing itself. The CSV file has the header `x,z`, then one point a row"},
+       "goal curve, in mm: open, not crossing itself. The CSV file has the header `x,z`, then one point per "
+       "row"},
   });
   return keys;
 }

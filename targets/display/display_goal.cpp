@@ -46,22 +46,23 @@ std::vector<std::string> DisplayGoal::row_texts() const {
 
 void check_panel(PanelSize size) {
   const auto [shorter, longer] = std::minmax(size[0], size[1]);
-  if (shorter < min_panel_side) throw InvalidInput(panel_text(size) + " is too small; give at least 2 x 2");
+  if (shorter < min_panel_side) throw InvalidInput(panel_text(size) + " is too small. Give at least 2 x 2");
   if (longer > max_panel_side || static_cast<long>(shorter) * longer > max_panel_cells)
-    throw InvalidInput(panel_text(size) + " is too large; at most " + std::to_string(max_panel_side) +
-                       " cells a side and " + std::to_string(max_panel_cells) + " in all are allowed");
+    throw InvalidInput(panel_text(size) + " is too large. Give at most " + std::to_string(max_panel_side) +
+                       " cells per side and " + std::to_string(max_panel_cells) + " in all");
 }
 
 void check_contrast(const DisplayGoal& goal) {
   const auto [least, most] = std::minmax_element(goal.levels.begin(), goal.levels.end());
   if (*least < *most) return;
   const std::string help =
-      goal.whole    ? "both must occur"
-      : goal.needed ? "the smallest panel of these proportions that shows the picture whole is [" +
-                          std::to_string((*goal.needed)[0]) + ", " + std::to_string((*goal.needed)[1]) + "]"
-                    : "no panel of these proportions that is allowed shows the picture whole";
+      goal.whole ? "Give cells of both kinds"
+      : goal.needed
+          ? "Give more cells: the smallest panel of these proportions that shows the whole picture is [" +
+                std::to_string((*goal.needed)[0]) + ", " + std::to_string((*goal.needed)[1]) + "]"
+          : "Give a simpler picture: no allowed panel of these proportions shows the whole of it";
   throw InvalidInput("every cell is " + std::string(*least >= letter_level ? "letter" : "rest") +
-                     ", so that there is nothing to tell apart; " + help);
+                     ", so there is nothing to distinguish. " + help);
 }
 
 DisplayGoal make_goal(PanelSize size, std::vector<double> levels) {
@@ -83,15 +84,16 @@ std::vector<double> thresholded(std::vector<double> levels) {
 void check_row(const std::string& row, std::size_t columns) {
   const std::size_t wrong = row.find_first_not_of("01");
   if (wrong != std::string::npos)
-    throw InvalidInput(in_ticks(row) +
-                       " holds more than 0 and 1; give 1 for a cell of the letter and 0 for the rest");
+    throw InvalidInput(
+        in_ticks(row) +
+        " has characters other than 0 and 1. Give 1 for a cell of the letter and 0 for the rest");
   if (row.size() != columns)
     throw InvalidInput("has " + std::to_string(row.size()) + " cells, and the first row has " +
-                       std::to_string(columns) + "; give rows of equal length");
+                       std::to_string(columns) + ". Give rows of equal length");
 }
 
 DisplayGoal rows_goal(const std::vector<std::string>& rows) {
-  if (rows.empty()) throw InvalidInput("holds no rows; give rows of 0 and 1, top row first");
+  if (rows.empty()) throw InvalidInput("the list has no rows. Give rows of 0 and 1, top row first");
   std::vector<double> levels;
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
     check_row(*row, rows[0].size());

@@ -88,7 +88,7 @@ std::vector<std::string> installed_families(const Config& config) {
 InvalidInput not_installed(const Config& config, const std::string& name) {
   auto families = installed_families(config);
   if (families.empty())
-    return InvalidInput("no outline font is installed; install one, such as the package fonts-dejavu-core");
+    return InvalidInput("no outline font is installed. Install one, such as the package fonts-dejavu-core");
   const auto distance = [&](const std::string& family) {
     return spelling_distance(lower_case(name).substr(0, longest_name), lower_case(family));
   };
@@ -164,7 +164,7 @@ class Line {
     face_.reset(face);
     const FT_F26Dot6 size = static_cast<FT_F26Dot6>(face->units_per_EM) * parts_of_unit;
     if (!FT_IS_SCALABLE(face) || FT_Set_Char_Size(face, size, size, 0, 0) != 0)
-      throw InvalidInput("the font " + in_ticks(font_.name) + " has no outlines; choose another font");
+      throw InvalidInput("the font " + in_ticks(font_.name) + " has no outlines. Choose another font");
     shape();
   }
 
@@ -193,7 +193,7 @@ class Line {
     for (const char* off : {"-kern", "-liga", "-clig"})
       is_done = is_done && raqm_add_font_feature(layout.get(), off, -1);
     if (!is_done || !raqm_layout(layout.get()))
-      throw InvalidInput("cannot be set in the font " + in_ticks(font_.name) + "; choose another font");
+      throw InvalidInput("cannot be set in the font " + in_ticks(font_.name) + ". Choose another font");
     std::size_t count = 0;
     const raqm_glyph_t* glyphs = raqm_get_glyphs(layout.get(), &count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -212,14 +212,14 @@ class Line {
     std::snprintf(number, sizeof number, "U+%04lX", static_cast<unsigned long>(text_[missing]));
     throw InvalidInput("the font " + in_ticks(font_.name) + " has no character " +
                        in_ticks(encoded(text_[missing])) + " (" + number +
-                       "); choose another font or other letters");
+                       "). Choose another font or other letters");
   }
 
   FT_Outline& load(FT_UInt glyph) const {
     if (FT_Load_Glyph(face_.get(), glyph, FT_LOAD_NO_SCALE) != 0 ||
         face_->glyph->format != FT_GLYPH_FORMAT_OUTLINE)
       throw InvalidInput("the font " + in_ticks(font_.name) +
-                         " has a character without an outline; choose another font");
+                         " has a character without an outline. Choose another font");
     return face_->glyph->outline;
   }
 
@@ -242,7 +242,7 @@ FT_BBox ink_box(const Line& line) {
     is_first = false;
   });
   if (!(all.xMin < all.xMax && all.yMin < all.yMax))
-    throw InvalidInput("shows no ink, as spaces do; give a letter or a short word");
+    throw InvalidInput("shows no ink, as spaces do. Give a letter or a short word");
   return all;
 }
 
@@ -273,7 +273,7 @@ std::vector<std::uint8_t> rasterised(FT_Library library, FT_Outline& outline, co
   bitmap.num_grays = 256;
   bitmap.pixel_mode = FT_PIXEL_MODE_GRAY;
   if (FT_Outline_Get_Bitmap(library, &outline, &bitmap) != 0)
-    throw InvalidInput("cannot be drawn in this font; choose another font");
+    throw InvalidInput("cannot be drawn in this font. Choose another font");
   return ink;
 }
 
@@ -324,7 +324,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& letter, PanelSize size, 
 }
 
 void check_length(const std::string& text) {
-  if (text.empty()) throw InvalidInput("is empty; give a letter or a short word");
+  if (text.empty()) throw InvalidInput("is empty. Give a letter or a short word");
   const int count = count_letters(text);
   if (count > max_glyph_characters)
     throw InvalidInput("has " + std::to_string(count) + " characters; at most " +

@@ -82,7 +82,7 @@ PixPointer read_png(std::string_view bytes) {
   if (decoder.info == nullptr) throw std::bad_alloc();
   png_set_read_fn(decoder.png, &bytes, next_bytes);
   if (!decode(decoder))
-    throw InvalidInput("is damaged and cannot be decoded (" + decoder.reason + "); give a whole PNG file");
+    throw InvalidInput("is damaged and cannot be decoded (" + decoder.reason + "). Give a whole PNG file");
   return picture_of(decoder);
 }
 
@@ -97,7 +97,7 @@ const l_uint8* data_of(const std::string& bytes) { return reinterpret_cast<const
 void check_format(const Header& header) {
   const bool is_grey_pnm = header.format == IFF_PNM && header.samples == 1;
   if (header.format != IFF_PNG && !is_grey_pnm)
-    throw InvalidInput("is not an image of an allowed format; give a PNG, PBM or PGM file");
+    throw InvalidInput("is not an image of an allowed format. Give a PNG, PBM or PGM file");
 }
 
 void check_size(const Header& header) {
@@ -118,7 +118,7 @@ Header checked_header(const std::string& bytes) {
   if (pixReadHeaderMem(data_of(bytes), bytes.size(), &header.format, &header.width, &header.height,
                        &header.bits, &header.samples, &header.has_colormap) != 0)
     throw InvalidInput(
-        "is not an image that can be read; give a PNG, PBM or PGM file, a PGM whose largest value is "
+        "is not an image that can be read. Give a PNG, PBM or PGM file, a PGM whose largest value is "
         "3, 15, 255 or 65535");
   check_format(header);
   check_size(header);
@@ -127,7 +127,7 @@ Header checked_header(const std::string& bytes) {
 
 PixPointer read_pnm(const std::string& bytes) {
   PixPointer pix(pixReadMem(data_of(bytes), bytes.size()));
-  if (!pix) throw InvalidInput("is damaged and cannot be decoded; give a whole PBM or PGM file");
+  if (!pix) throw InvalidInput("is damaged and cannot be decoded. Give a whole PBM or PGM file");
   return pix;
 }
 
@@ -163,7 +163,7 @@ int otsu_threshold(PIX* grey) {
 void check_variety(const Picture& picture) {
   const auto [least, most] = std::minmax_element(picture.ink.begin(), picture.ink.end());
   if (*least == *most)
-    throw InvalidInput("has one value everywhere; give an image with a letter and a background");
+    throw InvalidInput("has one value everywhere. Give an image with a letter and a background");
 }
 
 /// Silences leptonica: its messages, by severity, and the header values that it prints straight to stderr.

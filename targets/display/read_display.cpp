@@ -65,10 +65,9 @@ DisplayGoal read_rows(const Section& target, const Node& rows, const std::option
   const DisplayGoal goal = rows.located([&] { return rows_goal(texts); });
   const PanelSize own = {goal.columns, goal.rows}, asked = size.value_or(own);
   if (asked[0] % own[0] != 0 || asked[1] % own[1] != 0)
-    throw cells->error("is no multiple of the size of target.rows, which is [" + std::to_string(own[0]) +
+    throw cells->error("is not a multiple of the size of target.rows, which is [" + std::to_string(own[0]) +
                        ", " + std::to_string(own[1]) +
-                       "]; give that or a multiple, which draws each of its cells as several, or leave "
-                       "structure.cells out");
+                       "]. Give that size or a multiple of it, or remove structure.cells");
   return size ? goal.resized(asked) : goal;
 }
 
@@ -78,23 +77,23 @@ const KeyTable& display_target_keys() {
   static const KeyTable keys(
       {
           goal_kind_key("display"),
-          {"glyph", value::text("a letter or a short word"), {}, "what to show, in a font"},
+          {"glyph", value::text("a letter or a short word"), {}, "letter or word to show, in a font"},
           {"font", value::text("name of an installed font"),
-           otherwise("of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold the first whose strokes the "
-                     "panel keeps"),
-           "of the glyph", "glyph"},
-          {"image", value::text("path of a PNG, PBM or PGM file"), {}, "what to show, as a picture"},
+           otherwise("the first of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold whose strokes the "
+                     "panel can show"),
+           "font of the glyph", "glyph"},
+          {"image", value::text("path of a PNG, PBM or PGM file"), {}, "picture to show"},
           {"levels", value::choice(level_choices), by_default("2"),
-           "of the image: letter and rest, or levels of grey", "image"},
+           "levels of the image: 2 (letter and rest), or grey", "image"},
           {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",
            "image"},
           {"rows", value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
            no_default,
-           "what to show, cell by cell: 1 is letter, top row first; where `structure.cells` is a multiple of "
-           "their size, each cell as several"},
+           "picture to show, cell by cell: 1 is letter, top row first. If `structure.cells` is a multiple of "
+           "the size, each of its cells becomes several"},
           {"channel", value::choice({"light", "aperture", "area", "rotation"}),
            otherwise("`light`; `aperture` where `variables.offset_mm` is 0"),
-           "what of a cell the picture is read by ([definitions](#channels-of-a-display))"},
+           "property of a cell that shows the picture ([definitions](#channels-of-a-display))"},
       },
       {{"glyph", "image", "rows"}});
   return keys;
@@ -112,9 +111,9 @@ DisplayGoal read_display(const Node& node, const std::optional<Node>& cells, dou
   const auto glyph = target.optional("glyph"), image = target.optional("image"),
              rows = target.optional("rows");
   const int count = glyph.has_value() + image.has_value() + rows.has_value();
-  if (count == 0) throw target.error(std::string("says nothing to show; give ") + wanted_source);
+  if (count == 0) throw target.error(std::string("the picture is missing. Give ") + wanted_source);
   if (count > 1)
-    throw target.error(std::string("gives more than one thing to show; give only ") + wanted_source);
+    throw target.error(std::string("the target has more than one picture. Give only ") + wanted_source);
   const auto size = cells ? std::optional(read_cells_of_panel(*cells)) : std::nullopt;
   if (glyph) return read_glyph(target, *glyph, size, cell_shape);
   if (image) return read_image_section(target, *image, size, cell_shape);

@@ -46,21 +46,26 @@ InvalidInput Node::key_error(const std::string& fault_text) const {
 std::string Node::folder() const { return std::filesystem::path(tree_->file).parent_path().string(); }
 
 void Node::reject_kind(const std::string& wanted) const {
-  if (kind() == Kind::empty) throw error("is empty; give " + wanted);
-  throw error("is " + name(kind()) + "; give " + wanted);
+  if (kind() == Kind::empty) throw error("is empty. Give " + wanted);
+  throw error("is " + name(kind()) + ". Give " + wanted);
 }
 
-void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed) const {
+void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
+                               const std::vector<std::string_view>& earlier) const {
   const Names names(allowed);
   if (kind() != Kind::map) reject_kind("a map of keys (" + joined(names) + ")");
   for (const int child : tree_->items[item_].children) {
     const std::string& key = tree_->items[child].key;
-    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    if (std::find(names.begin(), names.end(), key) != names.end() ||
+        std::find(earlier.begin(), earlier.end(), key) != earlier.end())
+      continue;
     if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
-          .key_error("a number stands where a key belongs; write decimals with a point, not a comma");
+          .key_error("a number is in the place of a key. Write decimals with a point, not a comma");
+    std::vector<std::string_view> known = allowed;
+    known.insert(known.end(), earlier.begin(), earlier.end());
     throw Node(tree_, child)
-        .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
+        .key_error("unknown key" + did_you_mean(key, known) + "; allowed: " + joined(names));
   }
 }
 
@@ -73,7 +78,7 @@ std::optional<Node> Node::optional(std::string_view key) const {
 
 Node Node::required(std::string_view key, const std::string& what) const {
   if (const auto value = optional(key)) return *value;
-  throw error("the key `" + std::string(key) + "` is missing; give " + what);
+  throw error("the key `" + std::string(key) + "` is missing. Give " + what);
 }
 
 std::vector<Node> Node::list(const std::string& what) const {
@@ -87,14 +92,14 @@ std::vector<Node> Node::list_of(std::size_t length, const std::string& what) con
   auto nodes = list(what);
   if (nodes.size() != length)
     throw error("has " + std::to_string(nodes.size()) + (nodes.size() == 1 ? " entry" : " entries") +
-                "; give " + what);
+                ". Give " + what);
   return nodes;
 }
 
 const std::string& Node::plain_scalar(const std::string& wanted) const {
   if (kind() != Kind::scalar) reject_kind(wanted);
   const Tree::Item& item = tree_->items[item_];
-  if (item.is_quoted) throw error("stands in quotes and so is text; give " + wanted + ", without quotes");
+  if (item.is_quoted) throw error("is in quotes, which makes it text. Give " + wanted + ", without quotes");
   return item.value;
 }
 
@@ -116,34 +121,37 @@ int Node::integer(int lower, int upper) const {
 bool Node::boolean() const {
   const std::string& value = plain_scalar("true or false");
   if (value != "true" && value != "false")
-    throw error(in_ticks(value) + " is not allowed; give true or false");
+    throw error(in_ticks(value) + " is not allowed. Give true or false");
   return value == "true";
 }
 
 std::string Node::text(const std::string& what) const {
   if (kind() != Kind::scalar) reject_kind(what);
   const std::string& value = tree_->items[item_].value;
-  if (value.empty()) throw error("is empty; give " + what);
-  if (has_control_character(value)) throw error("holds a control character; give " + what);
+  if (value.empty()) throw error("is empty. Give " + what);
+  if (has_control_character(value)) throw error("has a control character. Give " + what);
   return value;
 }
 
-std::size_t Node::one_of(const std::vector<std::string_view>& allowed) const {
+std::size_t Node::one_of(const std::vector<std::string_view>& allowed,
+                         const std::vector<std::string_view>& earlier) const {
   const std::string value = text("one of: " + joined(allowed));
   const auto it = std::find(allowed.begin(), allowed.end(), value);
-  if (it == allowed.end())
+  if (it != allowed.end()) return static_cast<std::size_t>(it - allowed.begin());
+  const auto old = std::find(earlier.begin(), earlier.end(), value);
+  if (old == earlier.end())
     throw error(in_ticks(value) + " is not known" + did_you_mean(value, allowed) +
                 "; allowed: " + joined(allowed));
-  return static_cast<std::size_t>(it - allowed.begin());
+  return allowed.size() + static_cast<std::size_t>(old - earlier.begin());
 }
 
 std::array<double, 2> Node::range(const Bounds& bounds) const {
   const auto ends = list_of(2, "[lower, upper], each " + bounds.describe());
   const std::array<double, 2> out = {ends[0].number(bounds), ends[1].number(bounds)};
-  if (out[0] == out[1]) throw error("lower and upper are equal; give [lower, upper] with lower below upper");
+  if (out[0] == out[1]) throw error("lower and upper are equal. Give [lower, upper] with lower below upper");
   if (out[0] > out[1])
-    throw error("is upside down: " + shortest_text(out[0]) + " is above " + shortest_text(out[1]) +
-                "; give [lower, upper] with lower below upper");
+    throw error("the range is reversed: " + shortest_text(out[0]) + " is above " + shortest_text(out[1]) +
+                ". Give [lower, upper] with lower below upper");
   return out;
 }
 

@@ -35,7 +35,9 @@ class Node {
   int item() const { return item_; }
 
   /// Map getters. An empty value (`key:` alone) is present, and every other getter refuses it.
-  void reject_unknown_keys(const std::vector<std::string_view>& allowed) const;
+  /// @param earlier keys that are allowed as well, and that messages do not list
+  void reject_unknown_keys(const std::vector<std::string_view>& allowed,
+                           const std::vector<std::string_view>& earlier = {}) const;
   std::optional<Node> optional(std::string_view key) const;
   /// @param what what belongs there, for the message when the key is missing
   Node required(std::string_view key, const std::string& what) const;
@@ -51,8 +53,10 @@ class Node {
   int integer(int lower, int upper) const;
   bool boolean() const;
   std::string text(const std::string& what) const;
-  /// Position of the word among the allowed ones.
-  std::size_t one_of(const std::vector<std::string_view>& allowed) const;
+  /// Returns the position of the word among the allowed ones, followed by the earlier ones.
+  /// @param earlier words that are allowed as well, and that messages do not list
+  std::size_t one_of(const std::vector<std::string_view>& allowed,
+                     const std::vector<std::string_view>& earlier = {}) const;
 
   /// Reads [lower, upper] with lower < upper, both in bounds.
   std::array<double, 2> range(const Bounds& bounds) const;

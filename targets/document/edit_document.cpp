@@ -11,14 +11,14 @@ constexpr int max_position = 100'000'000;  // in a list: beyond any that a file 
 
 InvalidInput malformed(std::string_view text, const std::string& why) {
   return InvalidInput(in_ticks(text) + " is not a path: " + why +
-                      "; write keys with points and positions in brackets, e.g. `design.hinges[3].t` or "
-                      "`design.hinges[*].t`");
+                      ". Write keys with points and positions in brackets, e.g. `design.hinges[3].tilt_deg` "
+                      "or `design.hinges[*].tilt_deg`");
 }
 
 PathStep parse_position(std::string_view text, std::string_view inside) {
   if (inside == "*") return {"", PathStep::every};
   const bool digits = !inside.empty() && inside.find_first_not_of("0123456789") == std::string_view::npos;
-  if (!digits) throw malformed(text, in_ticks(inside) + " stands in brackets");
+  if (!digits) throw malformed(text, in_ticks(inside) + " is in brackets");
   return {"", parse_integer(inside, 0, max_position)};
 }
 

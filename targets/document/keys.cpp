@@ -90,6 +90,11 @@ Key::Key(std::string name, ValueType type, Default fallback, std::string meaning
 Key::Key(std::string name, KeyTable keys, std::string meaning, Default fallback)
     : Key(std::move(name), value::map(std::move(keys)), std::move(fallback), std::move(meaning)) {}
 
+Key Key::formerly(std::string earlier) && {
+  old_name = std::move(earlier);
+  return std::move(*this);
+}
+
 Key goal_kind_key(std::string kind) {
   return {"kind", value::choice(std::vector<std::string>{std::move(kind)}), needed, "the kind of goal"};
 }
@@ -104,6 +109,13 @@ KeyTable::KeyTable(std::vector<Key> keys, Alternatives alternatives, std::string
 std::vector<std::string_view> KeyTable::names() const {
   std::vector<std::string_view> names;
   for (const Key& key : keys_) names.push_back(key.name);
+  return names;
+}
+
+std::vector<std::string_view> KeyTable::old_names() const {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys_)
+    if (!key.old_name.empty()) names.push_back(key.old_name);
   return names;
 }
 
@@ -127,13 +139,21 @@ KeyTable KeyTable::only(std::string_view alternative) const {
         (!is_alternative(key.name) && (key.with.all() || is_one_of(key.with.names, alternative))))
       kept.push_back(key);
   for (Key& key : kept)
-    if (key.name == alternatives_.chosen_by) key.type.words = {std::string(alternative)};
+    if (key.name == alternatives_.chosen_by) {
+      key.type.words = {std::string(alternative)};
+      std::erase_if(key.type.old_words, [&](const auto& old) { return old.second != alternative; });
+    }
   return KeyTable(std::move(kept));
 }
 
-const Key& KeyTable::at(std::string_view name) const {
+const Key* KeyTable::find(std::string_view name) const {
   for (const Key& key : keys_)
-    if (key.name == name) return key;
+    if (key.name == name || (!key.old_name.empty() && key.old_name == name)) return &key;
+  return nullptr;
+}
+
+const Key& KeyTable::at(std::string_view name) const {
+  if (const Key* key = find(name)) return *key;
   throw std::logic_error("the key `" + std::string(name) + "` is read, but its table does not have it");
 }
 
@@ -143,7 +163,7 @@ std::string KeyTable::text(std::type_index type, const void* object, const void*
     if (key.binding.object != type) continue;
     const std::string value = key.binding.text(object);
     const bool is_given = key.fallback.kind == Default::Kind::needed || value != key.binding.text(usual);
-    if (is_given) text += (text.empty() ? "" : ", ") + key.name + ": " + value;
+    if (is_given) text += (text.empty() ? "" : ", ") + key.written_name() + ": " + value;
   }
   return text;
 }

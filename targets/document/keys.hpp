@@ -19,6 +19,14 @@ class Section;
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
 
+/// Returns the position of the first word that has the same value as word k.
+template <class Value, std::size_t count>
+std::size_t first_of(const Word<Value> (&words)[count], std::size_t k) {
+  std::size_t first = 0;
+  while (words[first].second != words[k].second) ++first;
+  return first;
+}
+
 /// Type of a key's value. The reader checks it; the page of formats and the JSON Schemas are generated from it.
 struct ValueType {
   enum class Kind { number, angle, integer, boolean, text, choice, list, map, either };
@@ -32,7 +40,9 @@ struct ValueType {
   bool in_cells = false;                ///< number: the bounds are in cell edges, the value is in mm
   std::string form = {};                ///< text, list: how it is written; Markdown
   std::vector<std::string> words = {};  ///< choice: at least one
-  std::vector<ValueType> parts = {};    ///< list: the type of every entry; either: its ways
+  /// choice: earlier words that files may still use, each with the word that replaces it
+  std::vector<std::pair<std::string, std::string>> old_words = {};
+  std::vector<ValueType> parts = {};               ///< list: the type of every entry; either: its ways
   std::size_t shortest = 0, longest = any_length;  ///< list
   std::shared_ptr<const KeyTable> keys = {};       ///< map
 };
@@ -58,11 +68,18 @@ ValueType angle_range(const Bounds& degrees);
 ValueType map(KeyTable keys);
 ValueType either(std::vector<ValueType> ways);
 
+/// The first word of a value is its name. Further words of the same value are earlier names.
 template <class Value, std::size_t count>
 ValueType choice(const Word<Value> (&words)[count]) {
-  std::vector<std::string> names;
-  for (const auto& [name, what] : words) names.emplace_back(name);
-  return choice(std::move(names));
+  ValueType type = choice(std::vector<std::string>{});
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t first = first_of(words, k);
+    if (first == k)
+      type.words.emplace_back(words[k].first);
+    else
+      type.old_words.emplace_back(words[k].first, words[first].first);
+  }
+  return type;
 }
 
 }  // namespace value
@@ -128,12 +145,18 @@ struct Key {
   template <class Object, class Value>
   Key(std::string name, Value Object::*member, ValueType type, std::string meaning, With with = {});
 
+  /// Adds an earlier name. Files may still use it, and kinetix writes it until version 2 of the file format.
+  Key formerly(std::string earlier) &&;
+  /// Returns the name that files written by kinetix have.
+  const std::string& written_name() const { return old_name.empty() ? name : old_name; }
+
   std::string name;
   ValueType type;
   Default fallback;
-  std::string meaning;   ///< meaning in Markdown; units are the type's
-  With with = {};        ///< the alternatives to which it belongs
-  Binding binding = {};  ///< the member that it fills
+  std::string meaning;        ///< meaning in Markdown; units are the type's
+  With with = {};             ///< the alternatives to which it belongs
+  Binding binding = {};       ///< the member that it fills
+  std::string old_name = {};  ///< earlier name; empty: none
 };
 
 /// Returns the key `kind` of a target's table.
@@ -165,9 +188,13 @@ class KeyTable {
   const std::string& title() const { return title_; }
   const std::vector<RemovedKey>& removed() const { return removed_; }
   std::vector<std::string_view> names() const;
+  /// Returns the earlier names of the keys that have one.
+  std::vector<std::string_view> old_names() const;
   /// Returns the table of the keys that one alternative allows. A key that chooses the alternative allows only its
   /// word.
   KeyTable only(std::string_view alternative) const;
+  /// Finds a key by its name or its earlier name. @return null if the table does not have it
+  const Key* find(std::string_view name) const;
   /// @throws std::logic_error for a key that the table does not have: whatever is read must be in it
   const Key& at(std::string_view name) const;
   /// Formats numbers that are members of the object, such as "step_s: 0.01, reach_mm: 2". Only keys that must be given

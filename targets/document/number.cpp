@@ -50,20 +50,41 @@ bool is_unit(std::string_view rest) {
 
 [[noreturn]] void reject(std::string_view text, std::string_view rest, std::errc error,
                          const std::string& wanted) {
-  if (text.empty()) throw InvalidInput("is empty; give " + wanted);
+  if (text.empty()) throw InvalidInput("is empty. Give " + wanted);
   if (is_infinite_or_nan(text))
-    throw InvalidInput(in_ticks(text) + " is not a finite number; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " is not a finite number. Give " + wanted);
   if (has_decimal_comma(text))
-    throw InvalidInput(in_ticks(text) + " has a decimal comma; write a point, and give " + wanted);
+    throw InvalidInput(in_ticks(text) + " has a decimal comma. Write a point, and give " + wanted);
   if (rest.empty() && error == std::errc::result_out_of_range)
-    throw InvalidInput(in_ticks(text) + " is beyond what a number can hold; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " is too large for a number. Give " + wanted);
   if (rest.size() < text.size() && is_unit(rest))
-    throw InvalidInput(in_ticks(text) + " carries a unit; give " + wanted + ", without writing the unit");
-  throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " has a unit. Give " + wanted + ", without writing the unit");
+  throw InvalidInput(in_ticks(text) + " is not a number. Give " + wanted);
 }
 
 constexpr double min_without_exponent =
     1e-6;  // in the unit of the limit: of smaller ones, zeros are not counted
+
+constexpr std::size_t most_digits = 6;  // significant digits of a limit that is not rounded
+constexpr int rounded_digits = 4;       // significant digits of a limit that is
+constexpr double last_bits = 1e-9;      // of the last digit shown: an error of arithmetic, not a digit
+
+std::size_t significant_digits(double x) {
+  std::string text = shortest_text(x);
+  text.erase(std::min(text.find('e'), text.size()));
+  std::erase_if(text, [](char c) { return c == '-' || c == '.'; });
+  text.erase(0, text.find_first_not_of('0'));
+  text.erase(text.find_last_not_of('0') + 1);
+  return text.size();
+}
+
+/// Rounds a limit with many digits, such as a multiple of the cell edge, to a number that the bounds allow.
+/// @param up for a lower limit
+double rounded_limit(double x, bool up) {
+  if (x == 0 || significant_digits(x) <= most_digits) return x;
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - rounded_digits);
+  return (up ? std::ceil(x / unit - last_bits) : std::floor(x / unit + last_bits)) * unit;
+}
 
 /// A limit as a person writes it: 1000000 rather than 1e+06, and 0.00001 rather than 9.999999999999999e-06.
 std::string limit_text(double x) {
@@ -95,13 +116,14 @@ bool Bounds::contains(double x) const {
 std::string Bounds::describe() const {
   std::string text = "a number";
   const bool has_lower = std::isfinite(lower), has_upper = std::isfinite(upper);
+  const std::string least = limit_text(rounded_limit(lower, true)),
+                    most = limit_text(rounded_limit(upper, false));
   if (has_lower && has_upper && lower_allowed && upper_allowed)
-    text += " from " + limit_text(lower) + " to " + limit_text(upper);
+    text += " from " + least + " to " + most;
   else {
-    if (has_lower) text += (lower_allowed ? " of at least " : " above ") + limit_text(lower);
+    if (has_lower) text += (lower_allowed ? " of at least " : " above ") + least;
     if (has_upper)
-      text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") +
-              limit_text(upper);
+      text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") + most;
   }
   return unit.empty() ? text : text + ", in " + std::string(unit);
 }
@@ -128,7 +150,7 @@ double parse_number(std::string_view text, const Bounds& bounds) {
   if (error != std::errc{} || !rest.empty() || !std::isfinite(value))
     reject(text, rest, error, bounds.describe());
   if (!bounds.contains(value))
-    throw InvalidInput(in_ticks(text) + " is out of range; give " + bounds.describe());
+    throw InvalidInput(in_ticks(text) + " is out of range. Give " + bounds.describe());
   return value;
 }
 
@@ -139,8 +161,8 @@ int parse_integer(std::string_view text, int lower, int upper) {
   const auto [end, error] = parse(digits, value);
   const bool whole = !text.empty() && end == digits.data() + digits.size();
   if (whole && error == std::errc{} && lower <= value && value <= upper) return static_cast<int>(value);
-  if (whole) throw InvalidInput(in_ticks(text) + " is out of range; give " + wanted);
-  throw InvalidInput((text.empty() ? "is empty" : in_ticks(text) + " is not a whole number") + "; give " +
+  if (whole) throw InvalidInput(in_ticks(text) + " is out of range. Give " + wanted);
+  throw InvalidInput((text.empty() ? "is empty" : in_ticks(text) + " is not a whole number") + ". Give " +
                      wanted);
 }
 

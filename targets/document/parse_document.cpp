@@ -14,7 +14,7 @@ namespace kinetix::targets {
 namespace {
 
 // Why anchors and aliases are refused, wherever the parser meets them.
-constexpr const char* no_anchors = "anchors (&name) and aliases (*name) are not allowed; write the value out";
+constexpr const char* no_anchors = "anchors (&name) and aliases (*name) are not allowed. Write the value out";
 
 struct Position {
   int line = 0, column = 0;
@@ -50,8 +50,8 @@ class Builder final : public YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (++documents_ == 1) return;
     refuse(mark, text_.compare(static_cast<std::size_t>(mark.pos), 3, "---") == 0
-                     ? "a second document (`---`); only one is allowed"
-                     : "text after the end of the document; check indentation and brackets");
+                     ? "the file has a second document (`---`). Give one only"
+                     : "there is text after the end of the document. Check indentation and brackets");
   }
   void OnDocumentEnd() override {}
 
@@ -121,15 +121,15 @@ class Builder final : public YAML::EventHandler {
   void check(const YAML::Mark& mark, YAML::anchor_t anchor, const std::string& tag) const {
     if (anchor != 0) refuse(mark, no_anchors);
     if (!tag.empty() && tag != "?" && tag != "!")
-      refuse(mark, "tags (" + in_ticks(tag) + ") are not allowed; write the value alone");
+      refuse(mark, "tags (" + in_ticks(tag) + ") are not allowed. Write the value alone");
   }
 
   void add_key(const YAML::Mark& mark, const std::string& key) {
-    if (key.empty()) refuse(mark, "an empty key; give a word");
+    if (key.empty()) refuse(mark, "the key is empty. Give a word");
     if (key.size() > max_key_bytes)
-      refuse(mark, "the key " + in_ticks(key) + " is too long; at most 100 characters are allowed");
+      refuse(mark, "the key " + in_ticks(key) + " is too long. Give at most 100 characters");
     if (key.find(':') != std::string::npos)
-      refuse(mark, "the key " + in_ticks(key) + " holds a `:`; write a space after the colon, `key: value`");
+      refuse(mark, "the key " + in_ticks(key) + " has a `:`. Write a space after the colon, `key: value`");
     Open& map = open_.back();
     map.key = key;
     std::replace_if(
@@ -138,8 +138,8 @@ class Builder final : public YAML::EventHandler {
     map.awaits_key = false;
     const auto [first, is_new] = map.line_of_key.try_emplace(map.key, map.key_position.line);
     if (!is_new)
-      refuse(mark,
-             "this key is given twice, first in line " + std::to_string(first->second) + "; give it once");
+      refuse(mark, "this key is given twice, first in line " + std::to_string(first->second) +
+                       ". Remove one of the two entries");
   }
 
   int add(const YAML::Mark& mark, Node::Kind kind) {
@@ -174,8 +174,8 @@ class Builder final : public YAML::EventHandler {
     check(mark, anchor, tag);
     if (awaits_key())
       refuse(mark,
-             "a list or a map stands where a key belongs (is a closing bracket missing?); keys must be plain "
-             "words");
+             "a list or a map is in the place of a key. Give plain words as keys, and check for a missing "
+             "closing bracket");
     if (static_cast<int>(open_.size()) >= max_document_depth)
       refuse(mark, "nested too deep; at most " + std::to_string(max_document_depth) + " levels are allowed");
     const int item = add(mark, kind);
@@ -203,10 +203,10 @@ std::string explain(const std::string& message) {
       {"anchor", no_anchors},
       {"alias", no_anchors},
       {"illegal map value",
-       "a `:` where none can stand; check the indentation and the space after each `:`, here and in the line "
+       "a `:` is not possible here. Check the indentation and the space after each `:`, here and in the line "
        "above"},
-      {"end of map not found", "this does not fit the lines above; check indentation and quotes"},
-      {"end of sequence not found", "this does not fit the list above; check indentation and quotes"},
+      {"end of map not found", "this does not fit the lines above. Check indentation and quotes"},
+      {"end of sequence not found", "this does not fit the list above. Check indentation and quotes"},
       {"end of map flow", "a `}` or a comma is missing before this place"},
       {"end of sequence flow", "a `]` or a comma is missing before this place"},
       {"illegal flow end", "a `]` or `}` that closes nothing"},
@@ -233,7 +233,7 @@ Node parse_document(const std::string& text, const std::string& file) {
     while (parser.HandleNextDocument(builder)) continue;
   } catch (const YAML::Exception& e) {
     const bool has_tab = !e.mark.is_null() && is_indented_by_tab(lines, e.mark);
-    throw InvalidInput(has_tab ? "a tab stands in the indentation; use spaces" : explain(e.msg),
+    throw InvalidInput(has_tab ? "there is a tab in the indentation. Use spaces" : explain(e.msg),
                        builder.place(e.mark));
   }
   if (tree->items.empty() || tree->items[0].kind == Node::Kind::empty)

@@ -19,30 +19,39 @@ Bounds scaled(Bounds cells, double edge_mm) {
 
 }  // namespace
 
+void check_keys(const Node& node, const KeyTable& keys) {
+  if (node.kind() == Node::Kind::map) {
+    for (const RemovedKey& removed : keys.removed())
+      if (const auto given = node.optional(removed.name)) throw given->key_error(removed.answer);
+    for (const Key& key : keys.keys())
+      if (!key.old_name.empty() && node.optional(key.name))
+        if (const auto old = node.optional(key.old_name))
+          throw old->key_error("`" + key.old_name + "` is the earlier name of `" + key.name +
+                               "`, which is given as well. Remove one of the two keys");
+  }
+  node.reject_unknown_keys(keys.names(), keys.old_names());
+}
+
 Section::Section(const Node& node, const KeyTable& keys) : Section(std::optional(node), keys) {}
 
 Section::Section(const std::optional<Node>& node, const KeyTable& keys) : node_(node), keys_(&keys) {
-  if (!node) return;
-  for (const RemovedKey& removed : keys.removed())
-    if (node->kind() == Node::Kind::map && node->optional(removed.name))
-      throw node->optional(removed.name)->key_error(removed.answer);
-  node->reject_unknown_keys(keys.names());
+  if (node) check_keys(*node, keys);
 }
 
-bool Section::knows(std::string_view key) const {
-  const auto names = keys_->names();
-  return std::find(names.begin(), names.end(), key) != names.end();
-}
+bool Section::knows(std::string_view key) const { return keys_->find(key) != nullptr; }
 
 std::optional<Node> Section::optional(std::string_view key) const {
-  keys_->at(key);
-  return node_ ? node_->optional(key) : std::nullopt;
+  const Key& known = keys_->at(key);
+  if (!node_) return std::nullopt;
+  const std::optional<Node> value = node_->optional(known.name);
+  return value || known.old_name.empty() ? value : node_->optional(known.old_name);
 }
 
 Node Section::required(std::string_view key, const std::string& what) const {
   if (keys_->at(key).fallback.kind != Default::Kind::needed)
     throw std::logic_error("the key `" + std::string(key) + "` is needed, but its table gives a default");
-  return node_->required(key, what);
+  const std::optional<Node> value = optional(key);
+  return value ? *value : node_->required(keys_->at(key).name, what);
 }
 
 const ValueType& Section::type(std::string_view key, Kind kind) const {

@@ -8,18 +8,30 @@
 
 namespace kinetix::targets {
 
+/// Returns the first word of each value, which is its name, or all further words.
 template <class Value, std::size_t count>
-std::vector<std::string_view> names_of(const Word<Value> (&words)[count]) {
+std::vector<std::string_view> names_of(const Word<Value> (&words)[count], bool earlier = false) {
   std::vector<std::string_view> names;
-  for (const auto& [name, value] : words) names.push_back(name);
+  for (std::size_t k = 0; k < count; ++k)
+    if ((first_of(words, k) != k) == earlier) names.push_back(words[k].first);
   return names;
 }
 
 /// Returns the value of a word in the file. @throws InvalidInput for any other word
 template <class Value, std::size_t count>
 Value read_word(const Node& node, const Word<Value> (&words)[count]) {
-  return words[node.one_of(names_of(words))].second;
+  std::vector<std::string_view> names = names_of(words);
+  const std::vector<std::string_view> earlier = names_of(words, true);
+  const std::size_t k = node.one_of(names, earlier);
+  names.insert(names.end(), earlier.begin(), earlier.end());
+  std::size_t at = 0;
+  while (words[at].first != names[k]) ++at;
+  return words[at].second;
 }
+
+/// Checks that a map holds keys of the table alone, and no key under both its names.
+/// @throws InvalidInput for anything but a map, and for a key that the table does not have
+void check_keys(const Node& node, const KeyTable& keys);
 
 /// Type with the two ends of a range.
 template <class Range>

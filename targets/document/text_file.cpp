@@ -36,9 +36,9 @@ void check_regular_file(const std::string& file) {
   const fs::file_status status = fs::status(file, error);
   if (status.type() == fs::file_type::not_found) throw InvalidInput("no such file", {file});
   if (error) throw InvalidInput("cannot be read: " + error.message(), {file});
-  if (fs::is_directory(status)) throw InvalidInput("is a folder; a file is expected", {file});
+  if (fs::is_directory(status)) throw InvalidInput("this is a folder. Give a file", {file});
   if (!fs::is_regular_file(status))
-    throw InvalidInput("is a pipe, a device or a socket; a regular file is expected", {file});
+    throw InvalidInput("this is a pipe, a device or a socket. Give a regular file", {file});
 }
 
 void check_size(const std::string& file, std::size_t bytes, std::size_t max_bytes) {
@@ -72,10 +72,11 @@ void check_characters(const std::string& file, const std::string& text) {
   for (std::size_t k = 0; k < text.size();) {
     const std::size_t length = character_length(text, k);
     if (length == 0)
-      throw InvalidInput("a byte that is not UTF-8 text; save the file as UTF-8", place_of(file, text, k));
+      throw InvalidInput("the file has a byte that is not UTF-8 text. Save the file as UTF-8",
+                         place_of(file, text, k));
     if (is_control(text[k]))
       throw InvalidInput("a control character (byte " + std::to_string(static_cast<unsigned char>(text[k])) +
-                             "); only plain text is allowed",
+                             "). Give plain text",
                          place_of(file, text, k));
     k += length;
   }

@@ -81,11 +81,11 @@ void check(const Drawing& drawing) {
   for (const DrawnLine& line : drawing)
     for (const Vector2d& end : line)
       if (!(end.cwiseAbs().maxCoeff() <= max_drawn_mm))
-        throw InvalidInput("has a line that ends more than a kilometre from 0; is its unit right?");
+        throw InvalidInput("a line ends more than a kilometre from 0. Check the unit of the drawing");
   if (drawing.empty() || !(mean_length(drawing) > 0))
-    throw InvalidInput("has no straight lines; draw each wall as one");
+    throw InvalidInput("the drawing has no straight lines. Draw each wall as one line");
   if (!(mean_length(drawing) >= min_drawn_mm))
-    throw InvalidInput("has lines shorter than a micrometre, on the mean; is its unit right?");
+    throw InvalidInput("lines are shorter than a micrometre on average. Check the unit of the drawing");
 }
 
 std::string lower_case(std::string text) {
@@ -123,7 +123,7 @@ model::PlanarGraph read_drawing(const Node& path) {
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text(wanted);
   const std::string ending = lower_case(file.extension().string());
   if (ending != ".dxf" && ending != ".svg")
-    throw path.error("is not a drawing that can be read; allowed: a file that ends in .dxf or .svg");
+    throw path.error("this is not a drawing. Give a file that ends in .dxf or .svg");
   const HiddenQuotes hidden(file.string(), path.folder());
   try {
     const std::string text = read_bytes(file.string(), max_drawing_bytes);

@@ -76,7 +76,7 @@ double unit_mm(const Group& unit) {
   const auto found = known.find(integer_of(unit));
   if (found != known.end()) return found->second;
   throw wrong(unit, "the unit $INSUNITS " + std::string(unit.value) +
-                        " is not read; allowed: mm, cm, m, inches, feet");
+                        " is not supported. Give mm, cm, m, inches or feet");
 }
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();  // a coordinate that has not come yet
@@ -102,12 +102,12 @@ class Entities {
   void begin(const Group& group) {
     static const std::set<std::string_view> curved = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"};
     if (curved.contains(group.value))
-      throw wrong(group, "walls are straight: " + std::string(group.value) +
-                             " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
+      throw wrong(group, "the curve " + std::string(group.value) +
+                             " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
     if (group.value == "MLINE" || group.value == "3DFACE")
       throw wrong(group,
-                  std::string(group.value) + " is not read; draw walls as LINE, LWPOLYLINE or POLYLINE");
-    if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
+                  std::string(group.value) + " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
+    if (group.value == "INSERT") throw wrong(group, "there is a block here. Explode it into lines");
     end_line();
     if (group.value != "VERTEX") {
       end_polyline();
@@ -125,17 +125,17 @@ class Entities {
     if (group.code == 10) points_.emplace_back(number_of(group), missing);
     if (group.code == 20 && !points_.empty()) points_.back().y() = number_of(group);
     if (group.code == 42 && number_of(group) != 0)
-      throw wrong(group, "walls are straight: this polyline has an arc (a bulge)");
+      throw wrong(group, "this polyline has an arc (a bulge). Draw straight walls");
     if (name_ == "LWPOLYLINE") take_flags(group);
   }
 
   void take_flags(const Group& group) {
     constexpr int closed = 1, smooth_or_mesh = 2 | 4 | 16 | 64;
     if (group.code == 230 && number_of(group) < 0)
-      throw wrong(group, "this polyline is drawn from below (extrusion along -z); flatten the drawing");
+      throw wrong(group, "this polyline is drawn from below (extrusion along -z). Flatten the drawing");
     if (group.code != 70) return;
     if ((integer_of(group) & smooth_or_mesh) != 0)
-      throw wrong(group, "walls are straight: this polyline is a smooth curve or a mesh");
+      throw wrong(group, "this polyline is a smooth curve or a mesh. Draw straight walls");
     is_closed_ = (integer_of(group) & closed) != 0;
   }
 
@@ -169,7 +169,8 @@ class Entities {
 // DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
 // GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF; save it as text (ASCII)");
+  if (text.starts_with("AutoCAD Binary DXF"))
+    throw InvalidInput("this is a binary DXF. Save it as text (ASCII)");
   Groups groups(text);
   Entities entities;
   std::string_view section, variable;

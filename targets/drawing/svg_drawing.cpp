@@ -53,7 +53,7 @@ class Scanner {
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
     if (error != std::errc() || !std::isfinite(value))
-      throw InvalidInput("has " + in_ticks(text_.substr(0, 20)) + " where a number belongs");
+      throw InvalidInput("has " + in_ticks(text_.substr(0, 20)) + " instead of a number. Give a number");
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return value;
   }
@@ -106,7 +106,7 @@ Affine2d one_transform(std::string_view name, const std::vector<double>& n) {
     out.matrix() << n[0], n[2], n[4], n[1], n[3], n[5], 0, 0, 1;
   } else {
     throw InvalidInput("has a transform `" + std::string(name) +
-                       "`; allowed: translate, scale, rotate, matrix");
+                       "`. Give translate, scale, rotate or matrix");
   }
   return out;
 }
@@ -143,7 +143,8 @@ class Reader {
     if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
     if (is_hidden(node)) return;
     if (name == "svg" && depth > 0)
-      throw InvalidInput("has an svg within its svg, which may have a scale of its own; ungroup it");
+      throw InvalidInput(
+          "the drawing has an svg within its svg, which may have a different scale. Ungroup it");
     const Affine2d at = above * transform_of(node);
     if (name == "line")
       add(at, {number(node, "x1"), number(node, "y1")}, {number(node, "x2"), number(node, "y2")});
@@ -154,9 +155,8 @@ class Reader {
     else if (name == "path")
       add_path(at, node.attribute("d").value());
     else if (name == "circle" || name == "ellipse" || name == "use")
-      throw InvalidInput(
-          "has a " + std::string(name) +
-          "; walls are straight: allowed are line, polyline, polygon, rect and straight paths");
+      throw InvalidInput("has a " + std::string(name) +
+                         ". Draw walls as line, polyline, polygon, rect or straight paths");
     for (const pugi::xml_node& child : node.children()) read(child, at, depth + 1);
   }
 
@@ -176,7 +176,7 @@ class Reader {
     const double value = scan.number();
     scan.word("px");
     if (!scan.at_end())
-      throw InvalidInput("has the length " + in_ticks(text) + "; allowed: user units, without a unit");
+      throw InvalidInput("has the length " + in_ticks(text) + ". Give user units, without a unit");
     return value;
   }
 
@@ -193,7 +193,7 @@ class Reader {
   void add_rectangle(const Affine2d& at, const pugi::xml_node& node) {
     const Vector2d low(number(node, "x"), number(node, "y"));
     if (number(node, "rx") > 0 || number(node, "ry") > 0)
-      throw InvalidInput("has a rect with round corners; walls are straight");
+      throw InvalidInput("there is a rect with round corners. Draw straight walls");
     const Vector2d wide(number(node, "width"), 0), high(0, number(node, "height"));
     const Vector2d corners[] = {low, low + wide, low + wide + high, low + high};
     for (int k = 0; k < 4; ++k) add(at, corners[k], corners[(k + 1) % 4]);
@@ -232,7 +232,7 @@ class Reader {
           break;
         default:
           throw InvalidInput(std::string("has a path with the command `") + command +
-                             "`; walls are straight: allowed are M, L, H, V and Z");
+                             "`. Draw straight walls by M, L, H, V and Z");
       }
       if (to != now) add(at, now, to);
       now = to;
@@ -254,7 +254,7 @@ std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
   if (unit == "in") return 25.4 * value;
   if (unit == "pt") return 25.4 / 72 * value;
   if (unit.empty() || unit == "px") return pixel_mm * value;
-  throw InvalidInput("has a size in " + in_ticks(unit) + "; allowed: mm, cm, in, pt, px");
+  throw InvalidInput("has a size in " + in_ticks(unit) + ". Give mm, cm, in, pt or px");
 }
 
 /// Returns the transform from user units to mm, y upwards.

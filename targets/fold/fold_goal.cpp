@@ -219,7 +219,7 @@ std::vector<FoldNet> box_unfoldings(const std::array<int, 3>& edges, std::option
 FoldGoal box_goal(const std::array<int, 3>& edges, std::optional<int> open, int columns) {
   for (const int edge : edges)
     if (edge < 1 || edge > max_face_side)
-      throw InvalidInput("an edge of the box is " + std::to_string(edge) + " cells long; allowed: 1 to " +
+      throw InvalidInput("an edge of the box is " + std::to_string(edge) + " cells long. Give 1 to " +
                          std::to_string(max_face_side));
   FoldGoal goal{edges, {}, open, box_unfoldings(edges, open)};
   for (FoldNet& net : goal.nets)
@@ -234,7 +234,7 @@ FoldGoal net_goal(FoldNet net) {
   const int open = open_crease(net, lay_out(net, columns));
   if (open >= 0)
     throw InvalidInput("the ring of faces with crease " + in_ticks(crease_name(net, net.creases[open])) +
-                       " does not close when it folds; creases in one line need the same angle");
+                       " does not close when it folds. Give creases in one line the same angle");
   return {{}, {}, {}, {std::move(net)}};
 }
 

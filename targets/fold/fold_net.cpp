@@ -13,15 +13,15 @@ namespace kinetix::targets {
 namespace {
 
 void check_faces(const FoldNet& net) {
-  if (net.faces.empty()) throw InvalidInput("holds no faces; give at least one");
+  if (net.faces.empty()) throw InvalidInput("the net has no faces. Give at least one");
   std::set<std::string> names;
   for (const FoldFace& face : net.faces) {
     if (std::min(face.width, face.height) < 1 || std::max(face.width, face.height) > max_face_side)
       throw InvalidInput("face " + in_ticks(face.name) + " has " + std::to_string(face.width) + " x " +
-                         std::to_string(face.height) + " cells; allowed: 1 to " +
-                         std::to_string(max_face_side) + " a side");
+                         std::to_string(face.height) + " cells. Give 1 to " + std::to_string(max_face_side) +
+                         " a side");
     if (!names.insert(face.name).second)
-      throw InvalidInput("two faces are named " + in_ticks(face.name) + "; give each its own name");
+      throw InvalidInput("two faces are named " + in_ticks(face.name) + ". Give each its own name");
   }
 }
 
@@ -31,10 +31,10 @@ void check_creases(const FoldNet& net) {
     const std::string name = "crease " + in_ticks(crease_name(net, crease));
     if (crease.first == crease.second) throw InvalidInput(name + " joins a face with itself");
     if (!pairs.insert(std::minmax(crease.first, crease.second)).second)
-      throw InvalidInput(name + " is given twice; give one crease for two faces");
+      throw InvalidInput(name + " is listed twice. Give one crease for two faces");
     if (!(std::abs(crease.angle) <= pi))
       throw InvalidInput(name + " turns by " + shortest_text(to_degrees(crease.angle)) +
-                         " degrees; allowed: -180 to 180");
+                         " degrees. Give -180 to 180");
   }
 }
 
@@ -61,7 +61,7 @@ void validate(const FoldNet& net) {
   const auto loose = std::find(in.begin(), in.end(), false);
   if (loose != in.end())
     throw InvalidInput("face " + in_ticks(net.faces[loose - in.begin()].name) + " is joined to face " +
-                       in_ticks(net.faces[0].name) + " by no creases; a net must hang together");
+                       in_ticks(net.faces[0].name) + " by no creases. Connect all faces");
 }
 
 namespace {
@@ -131,9 +131,9 @@ void check_ring(const FoldNet& net, const Placing& placing, const std::vector<mo
   const FoldCrease& c = net.creases[crease];
   if (faces[c.second] != placing.beyond(crease, c.second))
     throw InvalidInput(named(net, crease) + ": as the other creases lay them out, face " +
-                       in_ticks(net.faces[c.second].name) + " is no neighbour of face " +
+                       in_ticks(net.faces[c.second].name) + " is not a neighbour of face " +
                        in_ticks(net.faces[c.first].name) + " on its " + to_string(c.side) +
-                       "; leave the crease out or place the faces otherwise");
+                       ". Remove the crease, or move the faces");
   std::vector<int> ring = placing.path_to_root(c.first), other = placing.path_to_root(c.second);
   while (!ring.empty() && !other.empty() && ring.back() == other.back()) {
     ring.pop_back();
@@ -147,7 +147,7 @@ void check_ring(const FoldNet& net, const Placing& placing, const std::vector<mo
   if (along_x && along_y)
     throw InvalidInput("the ring of faces that " + named(net, crease) + " closes folds both ways, at " +
                        named(net, *along_x) + " and " + named(net, *along_y) +
-                       ": such a ring cannot move; cut it at one of its creases");
+                       ": such a ring cannot move. Cut it at one of its creases");
 }
 
 PlacedCrease crease_between(const FoldNet& net, const std::vector<model::CellRectangle>& faces, int crease) {
@@ -155,7 +155,7 @@ PlacedCrease crease_between(const FoldNet& net, const std::vector<model::CellRec
   const PlacedCrease out{across(c.side), gap_between(faces[c.first], c.side, faces[c.second])};
   if (out.cells.is_empty())
     throw InvalidInput(named(net, crease) + ": shifted by " + std::to_string(c.shift) +
-                       " cells the faces are no neighbours; no cell of one lies beside the other");
+                       " cells the faces are not neighbours. Change the offset");
   return out;
 }
 
@@ -171,7 +171,7 @@ struct Owner {
   if (a.bends && b.bends && a.axis != b.axis)
     throw InvalidInput(a.name + " and " + b.name + " would need cell " + where + " to bend both ways");
   throw InvalidInput(a.name + " and " + b.name + " overlap or touch flat at " + where +
-                     "; each needs its own place in the flat net");
+                     ". Give each a separate place in the flat net");
 }
 
 /// Owners of places: cells, or vertices.

@@ -23,7 +23,7 @@ constexpr Word<Side> side_choices[] = {
 
 const KeyTable& face_keys() {
   static const KeyTable keys({
-      {"name", value::text("at most 40 bytes"), needed, "what creases call the face by"},
+      {"name", value::text("at most 40 bytes"), needed, "name of the face in creases"},
       {"cells", value::list(value::integer(1, max_face_side), "`[columns, rows]`", 2, 2), needed,
        "size of the face"},
   });
@@ -37,7 +37,7 @@ const KeyTable& crease_keys() {
       {"side", value::choice(side_choices), needed,
        "side of the first face, beyond which the second one lies"},
       {"angle_deg", &FoldCrease::angle, value::angle(from_to(-180, 180, "degrees")),
-       needed_as("the angle to fold by"), "the angle to fold by; positive towards +z"},
+       needed_as("the angle to fold by"), "fold angle of the crease, positive towards +z"},
       {"shift", &FoldCrease::shift, value::integer(-max_face_side, max_face_side),
        "cells by which the second face is moved along the crease"},
       {"columns", &FoldCrease::columns, value::integer(1, max_crease_columns),
@@ -51,7 +51,7 @@ KeyTable net_keys() {
       {"faces", value::list(value::map(face_keys()), "a list of faces", 1, max_faces), needed,
        "rectangles of cells"},
       {"creases", value::list(value::map(crease_keys()), "a list of creases", 0), needed,
-       "what joins them, as a tree"},
+       "creases between the faces, as a tree"},
   });
 }
 
@@ -70,7 +70,7 @@ void check_cells(const Node& box, const std::array<int, 3>& e) {
   if (cells > max_box_cells)
     throw box.error("a box of " + text(" x ") + " cells has " + std::to_string(cells) +
                     " cells, more than the " + std::to_string(max_box_cells) +
-                    " that a search can fold; if these are mm, give box_mm: [" + text(", ") + "]");
+                    " for a search. For mm give box_mm: [" + text(", ") + "]");
 }
 
 FoldGoal read_box(const Section& target, const Node& box, int columns) {
@@ -97,7 +97,7 @@ FoldFace read_face(const Node& entry) {
   const Section node(entry, face_keys());
   const Node name = node.required("name", "a name that creases refer to");
   FoldFace face{name.text("a name that creases refer to")};
-  if (face.name.size() > longest_face_name) throw name.error("is too long; at most 40 bytes");
+  if (face.name.size() > longest_face_name) throw name.error("the name is too long. Give at most 40 bytes");
   const auto sides = node.required("cells", "[columns, rows]").list_of(2, "[columns, rows]");
   face.width = sides[0].integer(1, max_face_side);
   face.height = sides[1].integer(1, max_face_side);
@@ -110,9 +110,10 @@ std::vector<FoldFace> read_faces(const Node& node) {
     faces.push_back(read_face(entry));
     const auto same = [&](const FoldFace& face) { return face.name == faces.back().name; };
     if (std::any_of(faces.begin(), faces.end() - 1, same))
-      throw entry.optional("name")->error("is the name of a face above; give each face its own");
+      throw entry.optional("name")->error("a face above has this name. Give each face a separate name");
   }
-  if (faces.empty()) throw node.error("is empty; give at least one face {name: base, cells: [4, 4]}");
+  if (faces.empty())
+    throw node.error("the list is empty. Give at least one face {name: base, cells: [4, 4]}");
   if (faces.size() > max_faces) throw node.error("holds more than 100 faces");
   return faces;
 }
@@ -124,7 +125,8 @@ FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& n
   FoldCrease crease;
   crease.first = static_cast<int>(pair[0].one_of(names));
   crease.second = static_cast<int>(pair[1].one_of(names));
-  if (crease.first == crease.second) throw pair[1].error("joins a face with itself; name two faces");
+  if (crease.first == crease.second)
+    throw pair[1].error("the crease joins a face with itself. Give two faces");
   node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side,
                    side_choices);
   crease.columns = columns;
@@ -167,20 +169,19 @@ const KeyTable& fold_target_keys() {
           {"box", value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3), no_default,
            "edge lengths along x, y and z: the bottom has a x b cells. Every unfolding of it is tried"},
           {"box_mm", value::list(value::number(box_edge_mm), "`[a, b, c]`, mm", 3, 3), no_default,
-           "edge lengths in mm along x, y and z of the box when it is folded: cells and, where "
-           "`structure.cell_mm` is left "
-           "out, their size are chosen so that it comes nearest"},
+           "edge lengths in mm along x, y and z of the folded box. The number of cells, and their size "
+           "without `structure.cell_mm`, follow from them"},
           {"open",
            value::choice(box_face_names()),
            otherwise("the box is closed"),
-           "the face to leave out",
+           "face that is omitted",
            {"box", "box_mm"}},
           {"net", net_keys(), "faces that lie side by side, joined by creases"},
           {"solid", value::choice(solid_names()), no_default,
            "a solid of equal edges, cut open into one sheet whose creases run in as many directions as its "
            "edges"},
           {"cells", value::integer(min_solid_cells, max_solid_cells), by_default(SolidGoal{}.cells),
-           "of half a side of a face", "solid"},
+           "cells along half a side of a face", "solid"},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},
       },
@@ -193,9 +194,9 @@ FoldGoal read_fold(const Node& node) {
   const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net"),
              solid = target.optional("solid");
   if (!box && !box_mm && !net && !solid)
-    throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
+    throw target.error(std::string("the shape is missing. Give ") + wanted_shape);
   if (box.has_value() + box_mm.has_value() + net.has_value() + solid.has_value() > 1)
-    throw target.error(std::string("gives more than one shape; give only ") + wanted_shape);
+    throw target.error(std::string("the target has more than one shape. Give only ") + wanted_shape);
   int columns = 0;
   target.read("crease_columns", columns);
   if (solid) return read_solid(target, *solid, columns);

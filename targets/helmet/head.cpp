@@ -72,7 +72,7 @@ void check_coverage(const Head& head) {
       throw InvalidHead("coverage_mm", "goes beyond the mesh: to the " + std::string(way) +
                                            " the head can be followed down to " +
                                            number_text(std::max(0.0, std::floor(depth))) +
-                                           " mm below the crown; give at most that");
+                                           " mm below the crown. Give at most that");
   }
 }
 
@@ -200,18 +200,18 @@ HeadPose read_pose(const Section& target) {
 std::vector<Key> head_keys() {
   return {
       {"mesh", value::text("path of an OBJ, STL or PLY file"), needed, "a mesh of a head"},
-      {"units", value::choice(length_units), by_default("mm"), "of the mesh"},
+      {"units", value::choice(length_units), by_default("mm"), "unit of the mesh"},
       {"up", value::choice(axes), by_default("z"), "axis of the mesh that points up"},
-      {"front", value::choice(axes), otherwise("whichever way the top of the head is longer"),
+      {"front", value::choice(axes), otherwise("the direction in which the top of the head is longer"),
        "axis of the mesh that points to the face"},
       {"crown", value::list(value::number(coordinate), "`[x, y, z]`", 3, 3), otherwise("the highest point"),
-       "where the ribs meet the spine's middle, in mm and in the mesh's axes"},
+       "point of the spine's middle, where the ribs meet, in mm and in the axes of the mesh"},
   };
 }
 
 Key coverage_key() {
   return {"coverage_mm", value::number(above(0, "mm")), by_default(HeadPose{}.coverage_mm),
-          "how far below the crown the rim is"};
+          "height of the crown above the rim"};
 }
 
 Head read_head(const Section& target) {

@@ -41,8 +41,8 @@ std::string remedy(double size) {
   const auto best = std::min_element(units.begin(), units.end(), [&](const NamedUnit& a, const NamedUnit& b) {
     return strangeness(a) < strangeness(b);
   });
-  if (!is_size_of_head(size * best->mm)) return "; none of the units mm, cm, m, in would do: scale the mesh";
-  return "; `units: " + std::string(best->name) + "` would make it " + number_text(size * best->mm) + " mm";
+  if (!is_size_of_head(size * best->mm)) return ", with any of the units mm, cm, m and in. Scale the mesh";
+  return ". Give `units: " + std::string(best->name) + "` for " + number_text(size * best->mm) + " mm";
 }
 
 /// @param mesh in mm
@@ -50,7 +50,7 @@ void check_size(const TriangleMesh& mesh, LengthUnit unit) {
   const double size = bounds(mesh).sizes().maxCoeff();
   if (is_size_of_head(size)) return;
   throw InvalidHead("units", "in " + std::string(named(unit).name) + " the mesh is " + number_text(size) +
-                                 " mm long; a head (or a bust) is " + number_text(min_head_mm) + " to " +
+                                 " mm long, and a head or a bust is " + number_text(min_head_mm) + " to " +
                                  number_text(max_head_mm) + " mm" + remedy(size / mm_per(unit)));
 }
 
@@ -82,7 +82,7 @@ Vector3d longer_direction(const TriangleMesh& mesh, const Vector3d& up) {
 
 Vector3d front_of(const TriangleMesh& mesh, const HeadPose& pose) {
   if (pose.front && pose.front->dot(pose.up) != 0)
-    throw InvalidHead("front", "is along the same axis as `up`; give one across it");
+    throw InvalidHead("front", "the direction is parallel to `up`. Give a perpendicular one");
   return pose.front ? *pose.front : longer_direction(mesh, pose.up);
 }
 
@@ -107,8 +107,8 @@ Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
   const double gap = distance_from(mesh, *pose.crown);
   if (!(gap <= crown_reach_mm))
     throw InvalidHead("crown", "is " + number_text(gap) +
-                                   " mm from the mesh; give a point on it, in mm and in the " +
-                                   "mesh's axes, or leave it out for the highest, " + text(top));
+                                   " mm from the mesh. Give a point on it, in mm and in the " +
+                                   "mesh's axes, or remove the key for the highest, " + text(top));
   return *pose.crown;
 }
 

@@ -18,7 +18,7 @@ namespace kinetix::targets {
 namespace {
 
 // End of messages about files without a mesh.
-constexpr const char* wanted = "; give an OBJ, STL or PLY file of triangles or polygons";
+constexpr const char* wanted = ". Give an OBJ, STL or PLY file of triangles or polygons";
 
 TriangleMesh parse(const std::string& bytes, const std::string& ending) {
   if (ending == ".ply") return parse_ply(bytes);
@@ -34,7 +34,7 @@ void check(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw InvalidInput(std::string("has no triangles") + wanted);
   if (mesh.triangles.size() > max_mesh_triangles)
     throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                       " are allowed; thin the mesh out");
+                       " are allowed. Thin the mesh out");
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     if (!mesh.vertices[v].allFinite())
       throw InvalidInput("vertex " + std::to_string(v + 1) + " has a coordinate that is not a finite number");
@@ -100,7 +100,7 @@ class ObjReader {
     triangles_ += corners.size() - 2;
     if (triangles_ > max_mesh_triangles)
       throw tokens_.error("too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                          " are allowed; thin the mesh out");
+                          " are allowed. Thin the mesh out");
     strict_ += 'f';
     for (const long corner : corners) add_word(std::to_string(corner));
     strict_ += '\n';
@@ -112,7 +112,7 @@ class ObjReader {
     long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value == 0)
-      throw tokens_.error(in_ticks(word) + " stands where a corner of a face belongs; give vertex indices");
+      throw tokens_.error(in_ticks(word) + " is not a corner of a face. Give vertex indices");
     if (value < 0) value += vertices_ + 1;
     if (value < 1) throw missing_vertex(word);
     if (value > highest_) {
@@ -158,7 +158,7 @@ std::size_t declared_triangles(const std::string& bytes) {
 void check_count(std::size_t triangles) {
   if (triangles > max_mesh_triangles)
     throw InvalidInput("has too many triangles: " + std::to_string(triangles) + "; at most " +
-                       std::to_string(max_mesh_triangles) + " are allowed; thin the mesh out");
+                       std::to_string(max_mesh_triangles) + " are allowed. Thin the mesh out");
 }
 
 void append_bytes(std::string& bytes, std::uint32_t value) {
@@ -224,8 +224,10 @@ class StlText {
 
   [[noreturn]] void refuse(const std::string& wanted) const {
     const std::string_view word = tokens_.last_word();
-    if (word.empty()) throw tokens_.error("ends where `" + wanted + "` belongs; the file is cut short");
-    throw tokens_.error(in_ticks(word) + " stands where `" + wanted + "` belongs; the file is damaged");
+    if (word.empty())
+      throw tokens_.error("ends where `" + wanted + "` is expected: the file is incomplete. Export it again");
+    throw tokens_.error(in_ticks(word) + " is found instead of `" + wanted +
+                        "`: the file is damaged. Export it again");
   }
 
   MeshTokens tokens_;

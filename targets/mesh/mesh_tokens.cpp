@@ -68,9 +68,10 @@ std::string_view MeshTokens::word_of_any_line() {
 
 double MeshTokens::number_in(std::string_view text, const char* what) const {
   double number = 0;
-  if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
+  if (text.empty())
+    throw error(std::string("ends where ") + what + " is expected: the file is damaged. Export it again");
   if (!parse(text, number) || !std::isfinite(number))
-    throw error(in_ticks(text) + " stands where " + what + " belongs; give a finite number");
+    throw error(in_ticks(text) + " is not " + what + ". Give a finite number");
   return number;
 }
 
@@ -80,9 +81,9 @@ double MeshTokens::number_of_any_line(const char* what) { return number_in(word_
 long MeshTokens::integer_of_any_line(const char* what) {
   const std::string_view text = word_of_any_line();
   long integer = 0;
-  if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
-  if (!parse(text, integer))
-    throw error(in_ticks(text) + " stands where " + what + " belongs; give a whole number");
+  if (text.empty())
+    throw error(std::string("ends where ") + what + " is expected: the file is damaged. Export it again");
+  if (!parse(text, integer)) throw error(in_ticks(text) + " is not " + what + ". Give a whole number");
   return integer;
 }
 

@@ -110,7 +110,7 @@ class HeaderReader {
     const auto it = encodings.find(tokens_.word());
     if (it == encodings.end())
       throw tokens_.error(in_ticks(tokens_.last_word()) +
-                          " is no format; allowed: ascii, binary_little_endian, binary_big_endian");
+                          " is not a format; allowed: ascii, binary_little_endian, binary_big_endian");
     header_.encoding = it->second;
     has_format_ = true;
     if (tokens_.word() != "1.0") throw tokens_.error("is an unknown version of PLY; allowed: 1.0");
@@ -122,7 +122,7 @@ class HeaderReader {
     const std::string_view count = tokens_.word();
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (error != std::errc() || end != count.data() + count.size())
-      throw tokens_.error(in_ticks(count) + " is no number of elements");
+      throw tokens_.error(in_ticks(count) + " is not a number of elements");
     header_.elements.push_back(element);
   }
 
@@ -142,7 +142,7 @@ class HeaderReader {
 
   Number type(std::string_view name) const {
     const auto number = number_named(name);
-    if (!number) throw tokens_.error(in_ticks(name) + " is no type of PLY");
+    if (!number) throw tokens_.error(in_ticks(name) + " is not a type of PLY");
     return *number;
   }
 
@@ -306,7 +306,7 @@ class PlyReader {
     for (std::size_t k = 2; k < values_.size(); ++k) {
       if (mesh_.triangles.size() == max_mesh_triangles)
         throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                           " are allowed; thin the mesh out");
+                           " are allowed. Thin the mesh out");
       mesh_.triangles.push_back({corner(0), corner(k - 1), corner(k)});
     }
   }
@@ -314,7 +314,7 @@ class PlyReader {
   int corner(std::size_t k) const {
     const double value = values_[k];
     if (!(value >= 0 && value < 2147483647.0) || value != std::floor(value))
-      throw numbers_->error("is damaged: " + number_text(value) + " is no index of a vertex");
+      throw numbers_->error("is damaged: " + number_text(value) + " is not an index of a vertex");
     return static_cast<int>(value);
   }
 

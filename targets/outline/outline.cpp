@@ -244,12 +244,10 @@ const KeyTable& outline_target_keys() {
   static const KeyTable keys({
       goal_kind_key("outline"),
       {"points", points_type(second_axis), needed,
-       "outline of the panel when it is pressed, in mm: closed, not crossing itself. The CSV file has the "
-       "header "
-       "`x,y`, then one point a row; the first point need not come again"},
+       "outline of the pressed panel, in mm: closed, not crossing itself. The CSV file has the header `x,y`, "
+       "then one point per row. The last point may repeat the first"},
       {"flat", points_type(second_axis), otherwise("the panel's own"),
-       "outline of the panel as it is printed, in mm, likewise: its walls then have the lengths that it "
-       "takes"},
+       "outline of the flat panel, in mm, in the same form. Lengths of walls follow from it"},
   });
   return keys;
 }

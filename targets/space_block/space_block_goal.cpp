@@ -45,14 +45,17 @@ const KeyTable& space_block_target_keys() {
        "direction "
        "can shrink by more than the two others together"},
       {"size_mm", value::list(value::number(lengths), "`[x, y, z]` in mm", 3, 3), no_default,
-       "of the block at rest, from the outermost rotors on; cells are as many and as large as come nearest"},
+       "size of the block at rest, from the outermost rotors. Number and size of the cells follow from it"},
   });
   return keys;
 }
 
 SpaceBlockGoal read_space_block(const Section& target) {
   SpaceBlockGoal goal;
-  const Node factor = target.required("factor", "its length when it is pressed over that at rest");
+  const Node factor =
+      target.required("factor",
+                      "length of the pressed block relative to its length at rest: in all directions, or "
+                      "along x, y and z. No direction can shrink by more than the sum of the other two");
   if (factor.kind() == Node::Kind::list)
     goal.factors = three_numbers(factor, "[x, y, z]", shrinks);
   else

@@ -57,7 +57,7 @@ SurfacePatch read_mesh_surface(const Section& target, const Node& node) {
   try {
     return mesh_patch(mesh);
   } catch (const InvalidInput& e) {
-    throw node.error(std::string(e.what()) + "; or give `target.ribs`, which go over any mesh");
+    throw node.error(std::string(e.what()) + ". For any mesh give `target.ribs`");
   }
 }
 
@@ -65,13 +65,13 @@ RibbedSurface ribbed_mesh(const TriangleMesh& mesh) {
   const double side = bounds(mesh).sizes().maxCoeff();
   if (!(side >= min_side && side <= most_side))
     throw InvalidInput("the mesh is " + number_text(side) +
-                       " mm large; allowed: from 20 mm to 5 m; `units` says what its numbers are");
+                       " mm large. Give 20 mm to 5 m, or the unit of the numbers by `units`");
   return ribbed_surface(mesh);
 }
 
 void refuse_sizes(const Section& target) {
   refuse(target, {"width_mm", "arc_deg", "rise", "height_mm", "radius_mm", "swell_mm"},
-         "belongs to a shape; a mesh has its own size, leave it out");
+         "only applies to a shape, and a mesh has a size. Remove the key");
 }
 
 const std::initializer_list<const char*> sizes_but_arc = {"width_mm", "rise", "height_mm", "radius_mm",
@@ -83,8 +83,8 @@ struct Turned {
   double arc;
 };
 Turned read_turned(const Section& target, const Node& node, double usual) {
-  refuse(target, sizes_but_arc, "belongs to a shape; a profile has its own size, leave it out");
-  refuse(target, {"units"}, "belongs to a mesh; a profile is in mm, leave it out");
+  refuse(target, sizes_but_arc, "only applies to a shape, and a profile has a size. Remove the key");
+  refuse(target, {"units"}, "only applies to a mesh, and a profile is in mm. Remove the key");
   double arc = usual;
   target.read("arc_deg", arc);
   const auto make = [](std::vector<Eigen::Vector2d> points) { return Profile(std::move(points)); };
@@ -95,10 +95,13 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
   Sizes of;
   target.read_into(of);
   if (shape != Shape::vase)
-    refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "belongs to a vase; leave it out");
-  if (shape == Shape::vase) refuse(target, {"width_mm"}, "a vase has height_mm and radius_mm; leave it out");
-  if (shape != Shape::saddle) refuse(target, {"rise"}, "belongs to a saddle; leave it out");
-  if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "a saddle has a rise; leave it out");
+    refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "only applies to a vase. Remove the key");
+  if (shape == Shape::vase)
+    refuse(target, {"width_mm"},
+           "does not apply to a vase, which has height_mm and radius_mm. Remove the key");
+  if (shape != Shape::saddle) refuse(target, {"rise"}, "only applies to a saddle. Remove the key");
+  if (shape == Shape::saddle)
+    refuse(target, {"arc_deg"}, "does not apply to a saddle, which has a rise. Remove the key");
   if (shape == Shape::cap) return cap_patch(of.width, of.arc);
   if (shape == Shape::saddle) return saddle_patch(of.width, of.rise);
   return vase_patch(of.height, of.radius, of.swell.value_or(of.radius / 5), of.arc);
@@ -109,38 +112,38 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
 std::vector<Key> surface_keys() {
   return {
       {"mesh", value::text("path of an OBJ, STL or PLY file"), otherwise("`shape` is given"),
-       "the surface: for a sheet an open one without holes, of which it covers the rectangle in which it "
-       "lies, or one "
-       "of its area; for ribs any"},
-      {"units", value::choice(length_units), by_default("mm"), "of the mesh"},
+       "mesh of the surface. A sheet needs an open surface without holes, and covers its rectangle or a "
+       "rectangle of its area. Ribs cover any surface"},
+      {"units", value::choice(length_units), by_default("mm"), "unit of the mesh"},
       {"shape", value::choice(shapes), otherwise("`mesh` is given"),
-       "`cap`: of a sphere, over the square in its rim; `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half "
-       "of the width; "
-       "`vase`: the front of one, with belly and neck"},
+       "`cap`: part of a sphere over the square in its rim. `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / "
+       "half of the width. `vase`: the front of a vase, with belly and neck"},
       {"profile", points_type(height_axis), otherwise("`mesh` or `shape` is given"),
-       "a surface of revolution: points `[x, z]`, x the radius, z the height on the axis, ascending; a "
-       "smooth line goes "
-       "through them"},
-      {"width_mm", &Sizes::width, value::number(size), "of the square of a cap or saddle"},
+       "surface of revolution: points `[x, z]` with the radius x and the height z on the axis, ascending. A "
+       "smooth line goes through them"},
+      {"width_mm", &Sizes::width, value::number(size), "width of the square of a cap or saddle"},
       {"arc_deg", &Sizes::arc, value::angle(arc_turn),
-       "of a cap: what its surface turns by from corner to corner; of a vase: from rim to rim round its "
-       "axis, at most 120; of a `profile` likewise, with `ribs` up to 360, which is then the default"},
+       "for a cap: angle of its surface from corner to corner. For a vase: angle about its axis from edge to "
+       "edge, at most 120. For a `profile` the same, and up to 360, the default, with `ribs`"},
       {"rise", &Sizes::rise, value::number({0, 1, false, true}),
-       "of a saddle: its height in the middle of a side, over half of its width"},
-      {"height_mm", &Sizes::height, value::number(size), "of a vase, along its axis"},
-      {"radius_mm", &Sizes::radius, value::number(size), "of a vase, in the middle of its height"},
+       "for a saddle: height in the middle of a side, relative to half its width"},
+      {"height_mm", &Sizes::height, value::number(size), "height of a vase along its axis"},
+      {"radius_mm", &Sizes::radius, value::number(size), "radius of a vase in the middle of its height"},
       {"swell_mm", &Sizes::swell, value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
-       "of a vase: how much its belly is wider than its middle, and its neck narrower; at most half the "
-       "radius, and so that the front, as wide as `arc_deg` of the middle, keeps within the neck"},
+       "for a vase: radius of the belly minus that of the middle, and of the middle minus that of the neck. "
+       "At most half the radius. The neck must be as wide as the front, which is `arc_deg` of the middle"},
   };
 }
 
 SurfacePatch read_surface(const Section& target) {
   const auto mesh = target.optional("mesh"), shape = target.optional("shape"),
              profile = target.optional("profile");
-  if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is; give one of them");
+  if (mesh && shape)
+    throw shape->key_error(
+        "cannot be combined with target.mesh, which also sets the surface. Remove one of the two keys");
   if (profile && (mesh || shape))
-    throw profile->key_error("and a mesh or shape both say what the surface is; give one of them");
+    throw profile->key_error(
+        "cannot be combined with a mesh or shape, which also sets the surface. Remove one of the two keys");
   if (!mesh && !shape && !profile)
     throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase, or a `profile`");
   if (profile) {
@@ -151,7 +154,7 @@ SurfacePatch read_surface(const Section& target) {
     refuse_sizes(target);
     return read_mesh_surface(target, *mesh);
   }
-  refuse(target, {"units"}, "belongs to a mesh; shapes are in mm, leave it out");
+  refuse(target, {"units"}, "only applies to a mesh, and shapes are in mm. Remove the key");
   return shape->located([&] { return read_shape(target, read_word(*shape, shapes)); });
 }
 

@@ -43,8 +43,8 @@ Profile::Profile(std::vector<Vector2d> points) : points_(std::move(points)) {
       throw InvalidCurve("the radius, " + number_text(points_[k].x()) + " mm, must be above 0",
                          static_cast<int>(k));
     if (k > 0 && !(points_[k].y() > points_[k - 1].y()))
-      throw InvalidCurve("heights of a profile must ascend; this one is " + number_text(points_[k].y()) +
-                             " mm, the one before " + number_text(points_[k - 1].y()) + " mm",
+      throw InvalidCurve("the heights of a profile do not ascend: " + number_text(points_[k].y()) +
+                             " mm follows " + number_text(points_[k - 1].y()) + " mm. Give ascending heights",
                          static_cast<int>(k));
   }
   bend_ = natural_spline(points_);
@@ -53,7 +53,7 @@ Profile::Profile(std::vector<Vector2d> points) : points_(std::move(points)) {
       const double part = static_cast<double>(look) / samples_per_piece;
       if (!(radius((1 - part) * points_[k].y() + part * points_[k + 1].y())[0] > 0))
         throw InvalidCurve(
-            "the smooth line through the points comes to the axis before this one; give more points",
+            "the smooth line through the points reaches the axis before this one. Give more points",
             static_cast<int>(k + 1));
     }
 }

@@ -137,7 +137,7 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc) 
   if (!(wide <= most_of_neck * neck))
     throw InvalidInput("arc_deg is " + number_text(to_degrees(arc)) + ": a front of " +
                        number_text(2 * wide) + " mm is more than 0.95 of the neck's width, " +
-                       number_text(2 * neck) + " mm; give a smaller arc_deg or swell_mm");
+                       number_text(2 * neck) + " mm. Give a smaller arc_deg or swell_mm");
   return round_patch("vase", {half, wide}, radius, neck, [=](double x) {
     const double s = std::sin(wave * x), c = std::cos(wave * x);
     return std::array{radius + swell * s, swell * wave * c, -swell * wave * wave * s};
@@ -182,23 +182,23 @@ std::vector<int> boundary_of(const TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const int from = t[k], to = t[(k + 1) % 3], count = uses[std::minmax(from, to)];
       if (count > 2)
-        throw InvalidInput("an edge of the mesh has more than two triangles; give a single open surface");
+        throw InvalidInput("an edge of the mesh has more than two triangles. Give a single open surface");
       if (count == 1 && !next.try_emplace(from, to).second)
         throw InvalidInput(
-            "the mesh hangs together by a vertex, or its triangles are wound differently; give a single open "
-            "surface");
+            "two parts of the mesh share a single vertex, or its triangles have different orientations. Give "
+            "a single open surface");
     }
-  if (next.empty()) throw InvalidInput("the mesh is closed; give an open surface, such as a part of it");
+  if (next.empty()) throw InvalidInput("the mesh is closed. Give an open surface, such as a part of it");
   std::vector<int> rim;
   for (int at = next.begin()->first; rim.empty() || at != rim.front();) {
     rim.push_back(at);
     const auto found = next.find(at);
     if (found == next.end() || rim.size() > next.size())
-      throw InvalidInput("the triangles of the mesh are wound differently; give a single open surface");
+      throw InvalidInput("the triangles of the mesh have different orientations. Give a single open surface");
     at = found->second;
   }
   if (rim.size() != next.size())
-    throw InvalidInput("the mesh has holes or several pieces; give a single open surface without holes");
+    throw InvalidInput("the mesh has holes or several pieces. Give a single open surface without holes");
   return rim;
 }
 
@@ -214,7 +214,7 @@ void check_slope(const TriangleMesh& mesh, const Vector3d& z) {
     const Vector3d normal = area_normal(mesh, t);
     if (normal.norm() > 0 && !(normal.normalized().dot(z) > std::cos(max_slope * radians_per_degree)))
       throw InvalidInput("the surface curves too much: triangle " + std::to_string(t + 1) +
-                         " turns by 80 deg or more from the mean normal; cut it into flatter parts");
+                         " turns by 80 deg or more from the mean normal. Cut it into flatter parts");
   }
 }
 
@@ -321,7 +321,7 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   }
   const double area = seen_area(mesh, z);
   if (!(std::abs(area - loop_area(loop)) <= same_area * area))
-    throw InvalidInput("the surface covers itself as seen along its mean normal; cut it into flatter parts");
+    throw InvalidInput("the surface covers itself as seen along its mean normal. Cut it into flatter parts");
   const Rectangle rectangle = min_rectangle(loop);
   frame = Eigen::AngleAxisd(-rectangle.angle, Vector3d::UnitZ()).toRotationMatrix() * frame;
   const Vector2d middle = rectangle.box.center();
@@ -340,7 +340,7 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   if (!(miss <= max_miss * rectangle.box.sizes().norm()))
     throw InvalidInput("the surface is not smooth: the nearest smooth one is " +
                        number_text(100 * miss / rectangle.box.sizes().norm()) +
-                       " % of its size off; at most 1 % is allowed");
+                       " % of its size off, and the limit is 1 %");
   return {"mesh", round * std::sqrt(std::min(1.0, area / rectangle.area)),
           [weight, round](const Vector2d& at) { return height_at(weight, round, at); }};
 }

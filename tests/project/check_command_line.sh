@@ -7,7 +7,7 @@ fault() { echo "check_command_line: $1" >&2; faults=1; }
 source "$source/app/cli/kinetix-opt.bash"
 
 # Prints the long options that --help lists. usage: options_of TEXT
-options_of() { grep -oE '^ +(-[a-z],)?--[a-z-]+' <<<"$1" | grep -oE -- '--[a-z-]+' | sort -u; }
+options_of() { grep -oE '^  (-[a-z],)?--[a-z-]+' <<<"$1" | grep -oE -- '--[a-z-]+' | sort -u; }
 # Prints the completions of the last word. usage: completed WORD...
 completed() {
   COMP_WORDS=(kinetix-opt "$@") COMP_CWORD=$# COMPREPLY=()

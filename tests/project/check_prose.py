@@ -2,8 +2,10 @@
 """Checks that comments and names are plain English. usage: check_prose.py SOURCE_FOLDER [FOLDER...]
 
 Prints each opening, phrase, long sentence and name that CONTRIBUTING.md rules out, in all folders of code or in those
-given. Quoted text in comments (between ` ` or " ") is exempt.
+given. Quoted text in comments (between ` ` or " ") is exempt. In some folders texts for users are checked as well:
+string literals of help, errors and descriptions of keys, and descriptions in JSON Schemas.
 """
+import json
 import re
 import subprocess
 import sys
@@ -17,6 +19,13 @@ OPENING = re.compile(r"(Of|What|Where|Which|Those|That|By|The same|Likewise|As)\
 PHRASES = re.compile(r"\b(is told|are told|tells|comes to|come to|taken for|as made|of its own|likewise|so many|a matter for"
                      r"|but for|foretold|floppy|alike)\b", re.IGNORECASE)
 LONGEST_SENTENCE = 30  # words
+TEXT_FOLDERS = ("app/cli/", "app/files/", "app/formats/", "app/imports/", "app/sweep/plan/", "targets/")
+TEXT_FILES = ("app/goals/curve/curve_search.cpp", "app/goals/display/display_file.cpp", "app/goals/fold/fold_shape.cpp",
+              "app/goals/outline/outline_search.cpp", "app/goals/surface/surface_file.cpp", "app/print/print_request.cpp")
+SCHEMAS = ("app/schema/result.schema.json", "app/schema/print.schema.json", "app/schema/sweep.schema.json")
+TEXT_OPENING = re.compile(r"(of|what|where|which|those|likewise|how) ")  # of descriptions, which start in lower case
+TEXT_PHRASES = re.compile(r"\b(left out|leave (it )?out|is no|are no|(mm|cells|walls|clearance),? a side|physics run|says|told|alike|beside)\b")
+FEWEST_WORDS = 3  # of a text: shorter literals are keys, words and parts of sentences
 TOKENS = {"told", "tell", "say", "hear", "what", "own", "beat", "visitors"}
 NAME = re.compile(r"\b[A-Za-z]\w*_\w+\b")
 CAMEL_NAME = re.compile(r"\b[A-Za-z]\w*(?:_\w+|[a-z0-9][A-Z]\w*)\b")  # also of scripts for browsers
@@ -61,6 +70,57 @@ def quoted_away(text):
     return re.sub(r"`[^`]*`|\"[^\"]*\"", "x", text)
 
 
+def faults_of_text(text):
+    """Faults of a comment or a text: kind and the words that are ruled out."""
+    for match in PHRASES.finditer(text):
+        yield "phrase", text[max(0, match.start() - 30):match.end() + 30]
+    for sentence in sentences_of(text):
+        words = re.findall(r"[A-Za-z]{2,}[\w'-]*|\ba\b", sentence)
+        if len(words) > LONGEST_SENTENCE:
+            yield "sentence", f"{len(words)} words: {sentence[:90]}"
+
+
+def text_faults(line, text):
+    """Faults of a text for users."""
+    plain = re.sub(r"`[^`]*`", "x", text)
+    if len(plain.split()) < FEWEST_WORDS:
+        return
+    if OPENING.match(plain) or TEXT_OPENING.match(plain):
+        yield "text", line, text[:90]
+    for match in TEXT_PHRASES.finditer(plain):
+        yield "text", line, plain[max(0, match.start() - 30):match.end() + 30]
+    for kind, words in faults_of_text(plain):
+        yield kind, line, words
+
+
+def literals_of(source):
+    """String literals of C++ with those next to them joined: pairs of line number and text."""
+    literal = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|\'(?:[^\'\\\n]|\\.)*\'|(?P<text>"(?:[^"\\\n]|\\.)*"'
+                         r'(?:\s*"(?:[^"\\\n]|\\.)*")*)', re.DOTALL)
+    for match in literal.finditer(source):
+        if match["text"]:
+            parts = re.findall(r'"((?:[^"\\\n]|\\.)*)"', match["text"])
+            yield source.count("\n", 0, match.start()) + 1, "".join(parts).replace('\\"', "'")
+
+
+def descriptions_of(schema):
+    if isinstance(schema, dict):
+        if isinstance(schema.get("description"), str):
+            yield schema["description"]
+        for value in schema.values():
+            yield from descriptions_of(value)
+    elif isinstance(schema, list):
+        for value in schema:
+            yield from descriptions_of(value)
+
+
+def schema_faults(root):
+    for name in SCHEMAS:
+        for text in descriptions_of(json.loads((root / name).read_text(encoding="utf-8"))):
+            for kind, _, words in text_faults(0, text):
+                yield f"{name}: {kind}: {words}"
+
+
 def is_forbidden(name):
     """Finds names with a token that is ruled out, or with "a" for per. In names of tests "a" is the article."""
     tokens = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name.strip("_")).lower().split("_")
@@ -74,12 +134,11 @@ def hits_of(path, source):
         plain = quoted_away(text)
         if OPENING.match(plain):
             yield "opening", line, text[:90]
-        for match in PHRASES.finditer(plain):
-            yield "phrase", line, plain[max(0, match.start() - 30):match.end() + 30]
-        for sentence in sentences_of(plain):
-            words = re.findall(r"[A-Za-z]{2,}[\w'-]*|\ba\b", sentence)
-            if len(words) > LONGEST_SENTENCE:
-                yield "sentence", line, f"{len(words)} words: {sentence[:90]}"
+        for kind, words in faults_of_text(plain):
+            yield kind, line, words
+    if path.suffix in {".cpp", ".hpp"} and (str(path).startswith(TEXT_FOLDERS) or str(path) in TEXT_FILES):
+        for line, text in literals_of(source):
+            yield from text_faults(line, text)
     seen = set()
     for number, line in enumerate(code_of(source, pattern).split("\n"), 1):
         if "[[deprecated" in line:  # an alias keeps its old name
@@ -100,7 +159,10 @@ void tell_state(int seconds_a_cell);
 const char* text = "of what_is_told";
 """.format("word " * (LONGEST_SENTENCE + 1))
     found = [(kind, line) for kind, line, _ in hits_of(Path("a.cpp"), source)]
-    return found == [("opening", 2), ("phrase", 2), ("sentence", 5), ("name", 4), ("name", 4)]
+    texts = 'f("of the rod of a pin"); f("is " "told; leave it out"); f("width of `a side`, per side"); f("of it");'
+    found_texts = [(kind, line) for kind, line, _ in hits_of(Path("targets/a.cpp"), texts)]
+    return (found == [("opening", 2), ("phrase", 2), ("sentence", 5), ("name", 4), ("name", 4)]
+            and found_texts == [("text", 1), ("text", 1), ("text", 1), ("phrase", 1)])
 
 
 def files(root):
@@ -118,7 +180,9 @@ def main():
         return True
     root, wanted = Path(sys.argv[1]), tuple(sys.argv[2:])
     faults = [f"{name}:{line}: {kind}: {words}" for name, path in files(root) if name.startswith(wanted or "")
-              for kind, line, words in hits_of(path, path.read_text(encoding="utf-8"))]
+              for kind, line, words in hits_of(Path(name), path.read_text(encoding="utf-8"))]
+    if not wanted or "app".startswith(wanted):
+        faults += schema_faults(root)
     print("\n".join(faults) or "comments and names are plain English")
     return bool(faults)
 

@@ -125,7 +125,7 @@ class Runs(Scratch):
         self.assertFalse((self.folder / "none").exists())
 
     def test_bad_models_and_options_are_refused(self):
-        with self.assertRaisesRegex(kinetix.InvalidInput, "allowed: exact, equilibrium, bullet"):
+        with self.assertRaisesRegex(kinetix.InvalidInput, "allowed: exact, equilibrium, rigid_body"):
             kinetix.simulate(strip(4), "newton")
         with self.assertRaisesRegex(kinetix.InvalidInput, "theta is 3"):
             kinetix.simulate(strip(4), theta=3)

@@ -39,7 +39,7 @@ class Strips(Scratch):
         errors = [problem["text"] for problem in result["verdict"]["problems"] if problem["level"] == "error"]
         if flags:
             self.assertEqual(flags, ["reaches"])
-            self.assertRegex(errors[0], "^walls .* overlap at theta")
+            self.assertRegex(errors[0], "^walls .* overlap at")
         return result["states"][0]
 
     def test_poses_equal_those_of_the_program_to_the_last_bit(self):

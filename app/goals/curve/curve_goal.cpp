@@ -306,11 +306,13 @@ std::unique_ptr<Goal> make_goal(CurveFile file) { return std::make_unique<CurveG
 extern const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",
+    .meaning = "strip that folds into a curve in a plane",
+    .file = {{"points", "x,z"}},
     .read = [](const targets::Node& root) { return make_goal(read_curve_file(root)); },
     .table = curve_keys,
     .metrics = {{"shape_rms", "",
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
-                {"shape_max", "", "likewise, the largest"}},
+                {"shape_max", "", "largest distance of midline and goal"}},
     .measures = {{"shape_rms", measured<&targets::CurveError::rms>},
                  {"shape_max", measured<&targets::CurveError::max>}},
     .keeps_length = true};

@@ -51,18 +51,18 @@ double rise(const targets::Curve& curve) {
   return most;
 }
 
-std::string length_text(double mm) { return fmt::format("{:.6g} mm", mm); }
+std::string length_text(double mm) { return fmt::format("{:.3g} mm", mm); }
 
 void check_cell_against_curve(const targets::Node& cell_mm, double edge_mm, double curve_mm) {
   if (edge_mm > curve_mm)
     throw cell_mm.error("a cell of " + length_text(edge_mm) + " is larger than the whole curve, which is " +
-                        length_text(curve_mm) + " long; points are in millimetres; are these metres?");
+                        length_text(curve_mm) + " long. Give smaller cells, or points in millimetres");
 }
 
-/// Returns default_theta, clamped to `variables.theta.range_deg`.
+/// Returns default_theta, clamped to `variables.fold_angle.range_deg`.
 double length_theta(const targets::Section& root, const optim::AngleRange& usual) {
   optim::AngleRange range = usual;
-  root.section("variables").section("theta").read("range_deg", range);
+  root.section("variables").section("fold_angle").read("range_deg", range);
   return std::clamp(default_theta, range.lower, range.upper);
 }
 
@@ -70,9 +70,9 @@ double default_edge(const targets::Section& root, double curve_mm, int columns, 
   const double edge = curve_mm / (columns * std::cos(theta));
   if (edge < smallest_default_cell_mm)
     throw root.required("target", "")
-        .error("the curve is " + length_text(curve_mm) + " long, so that " + std::to_string(columns) +
-               " cells would be " + length_text(edge) +
-               " small; points are in millimetres; are these metres? If not, give structure.cell_mm");
+        .error("the curve is " + length_text(curve_mm) + " long, and " + std::to_string(columns) +
+               " cells on it would have " + length_text(edge) +
+               ". Give points in millimetres, or structure.cell_mm for a curve this small");
   return edge;
 }
 
@@ -88,13 +88,14 @@ std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) 
   const auto node = structure.optional("cells");
   if (!node) return std::nullopt;
   const auto sides = as_rectangle(read_cells(*node));
-  if (!sides) throw node->error("the cells of a curve must fill a rectangle; give [columns, rows]");
+  if (!sides)
+    throw node->error("the cells do not fill a rectangle, which a curve needs. Give [columns, rows]");
   if ((*sides)[0] < 2)
     throw node->error(
-        "a curve needs at least 2 columns of cells along x; give [columns, rows] such as [40, 1]");
+        "a curve needs at least 2 columns of cells along x. Give [columns, rows] such as [40, 1]");
   if ((*sides)[0] > max_columns)
     throw node->error(
-        fmt::format("{} columns are more than a search can fit; at most {}", (*sides)[0], max_columns));
+        fmt::format("{} columns are too many for a search. Give at most {}", (*sides)[0], max_columns));
   return sides;
 }
 
@@ -113,9 +114,10 @@ void read_structure(const targets::Section& root, CurveFile& file) {
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
   const double fitting = std::round(length / (file.size.edge_mm * std::cos(theta)));
   if (!sides && fitting > max_columns)
-    throw cell_mm->error(fmt::format("a curve of {} would take {:.0f} cells of {}; at most {} columns",
-                                     length_text(length), fitting, length_text(file.size.edge_mm),
-                                     max_columns));
+    throw cell_mm->error(
+        fmt::format("a curve of {} needs {:.0f} cells of {}, and the limit is {} columns. Give "
+                    "larger cells",
+                    length_text(length), fitting, length_text(file.size.edge_mm), max_columns));
   if (!sides) file.columns = static_cast<int>(std::max(fitting, 2.0));
 }
 
@@ -123,21 +125,21 @@ optim::Per read_per(const targets::Node& node) {
   const std::vector<std::string_view> all = {"column", "all", "row", "cell", "hinge"};
   const std::size_t choice = node.one_of(all);
   if (choice > 1)
-    throw node.error(
-        "`" + std::string(all[choice]) +
-        "` would leave the family that moves exactly, in which all hinges of a column tilt alike; "
-        "allowed for a curve: column, all");
+    throw node.error("`" + std::string(all[choice]) +
+                     "` is not possible for a curve: a strip has one degree of freedom only if all hinges of "
+                     "a column tilt "
+                     "equally. Give `column` or `all`");
   return choice == 0 ? optim::Per::column : optim::Per::all;
 }
 
 void read_variables(const targets::Section& root, CurveFile& file) {
   const targets::Section section = root.section("variables");
   if (!section.given()) return;
-  const targets::Section beta = section.section("beta");
+  const targets::Section beta = section.section("tilt");
   beta.read("range_deg", file.beta);
   if (const auto per = beta.optional("per")) file.per = read_per(*per);
   file.symmetry = read_symmetry(beta, file.columns, file.rows);
-  if (const auto node = section.optional("beta"))
+  if (const auto node = section.optional("tilt"))
     node->located([&] { make_bend_ties(file.columns, file.per, file.symmetry, file.beta); });
   file.theta = read_theta(root, file.size, file.theta);
 }
@@ -153,28 +155,29 @@ double usual_shape_tolerance(const CurveFile& file) {
 
 targets::KeyTable curve_structure_keys(const CurveFile& usual) {
   return targets::KeyTable({
-      cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
-                "the cells of the strip, a rectangle of at least 2 columns; by default fewer, but at least "
-                "8, where the "
-                "process could not print the walls of so many; where only `cell_mm` is given, as many "
-                "columns as make the "
-                "strip as long as the curve"),
-      cell_mm_key(targets::otherwise("gives the strip the curve's length at theta = 30 degrees, or what is "
-                                     "nearest to it of `variables.theta`")),
+      cells_key(
+          targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
+          "cells of the strip, a rectangle of at least 2 columns. The default is reduced, to 8 columns at "
+          "least, if the process cannot print such thin walls. If only `cell_mm` is given, the number of "
+          "columns follows from the length of the curve"),
+      cell_mm_key(
+          targets::otherwise("gives the strip the curve's length at a fold angle of 30 degrees, or at "
+                             "the nearest one within `variables.fold_angle`")),
       wall_mm_key(),
   });
 }
 
 targets::KeyTable variables_keys(const CurveFile& usual) {
   targets::Key range = tilt_range_key(usual.beta);
-  range.meaning += " of the first row; tilts change sign from row to row";
+  range.meaning += " of the first row. Tilts change sign from row to row";
   const targets::KeyTable beta({
       range,
       {"per", value::choice({"column", "all"}), targets::by_default("column"),
-       "which hinges tilt alike; under `all`, the tilts of neighbouring columns have opposite signs"},
-      symmetry_key("of the folded shape; no strip has `rotate_4`"),
+       "hinges that have equal tilts. With `all`, the tilts of neighbouring columns have opposite signs"},
+      symmetry_key("symmetry of the folded shape. `rotate_4` is not possible"),
   });
-  return targets::KeyTable({{"beta", beta, "the tilts of the hinges"}, theta_key(usual.theta)});
+  return targets::KeyTable(
+      {targets::Key("tilt", beta, "tilts of the hinges").formerly("beta"), fold_angle_key(usual.theta)});
 }
 
 }  // namespace
@@ -185,25 +188,24 @@ const targets::KeyTable& curve_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::curve_target_keys(), "the goal", targets::needed},
-          {"structure", curve_structure_keys(usual), "the flat sheet"},
-          {"variables", variables_keys(usual), "what the search may change, and how far"},
+          {"structure", curve_structure_keys(usual), "flat sheet"},
+          {"variables", variables_keys(usual), "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &CurveFile::shape_tolerance, value::number(targets::part_of_one),
-                targets::otherwise("0.01; less for a flat curve (a twentieth of its rise over its chord), or "
-                                   "small cells (half of "
-                                   "one), but at least 0.001"),
-                "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding "
-                "box"},
+                targets::otherwise("0.01; less for a flat curve (a twentieth of its rise over its chord) or "
+                                   "small cells (half a cell), and at least 0.001"),
+                "limit of [shape_rms](#shape_rms-and-shape_max), relative to the diagonal of the curve's "
+                "bounding box"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
           {"solver",
            solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start"),
-           "how the search is run"},
+           "solver of the search"},
       },
       any_hinge,
-      {robust_key("theta, gaps of blocks and films and, where `structure.cell_mm` is left out, numbers of "
+      {robust_key("the fold angle, gaps of blocks and films and, without `structure.cell_mm`, the number of "
                   "columns")});
   return keys;
 }

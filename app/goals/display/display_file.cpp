@@ -46,15 +46,15 @@ targets::KeyTable display_drive_keys() {
   return targets::KeyTable(
       {
           {"kind", value::choice(drives), targets::by_default("plates"),
-           "`plates`: two of them press on the rim, whose rows stay straight; `hinge`: one hinge is turned "
-           "and all "
-           "rows are free, which shows a clearer picture"},
+           "`plates`: two plates press on the boundary, whose rows stay straight. `hinge`: one hinge is "
+           "turned "
+           "and all rows are free, which shows a clearer picture"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
           {"compression", &DisplayFile::compression, value::number(allowed_compression),
-           "1 less the final over the initial distance of the plates", "plates"},
+           "relative shortening: 1 minus the ratio of final to initial distance of the plates", "plates"},
           press_key(),
           {"angle_deg", &DisplayFile::angle, value::angle(allowed_turn),
-           "turn of the hinge, to the side that shows the picture", "hinge"},
+           "rotation of the hinge, in the direction that shows the picture", "hinge"},
           wall_key("hinge", targets::otherwise("a wall in the middle of the panel that is hardly scaled")),
       },
       {{"plates", "hinge"}, "kind"});
@@ -63,49 +63,48 @@ targets::KeyTable display_drive_keys() {
 targets::KeyTable t_keys() {
   return targets::KeyTable({
       {"range", &DisplayFile::t, value::range({0, 1, false, false}),
-       "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0; with a "
-       "`symmetry` the side that is nearer to 0.5 counts for both where it takes t to 1 - t"},
+       "allowed positions of hinges along their walls. The default is `[0.08, 0.92]` if "
+       "`variables.offset_mm` is 0. If a `symmetry` maps a position p to 1 - p, the end nearer to 0.5 limits "
+       "both sides"},
       {"corner_mm", value::length(targets::from_to(0, 0.45, "mm (up to 0.45 cells)")),
-       targets::by_default(0.0), "least distance of a hinge from the ends of its wall"},
-      symmetry_key("of the panel as it is printed; `rotate_4` needs as many columns as rows"),
+       targets::by_default(0.0), "minimum distance of a hinge from the ends of its wall"},
+      symmetry_key("symmetry of the flat panel. `rotate_4` needs as many columns as rows"),
   });
 }
 
 targets::KeyTable display_variables_keys() {
   const targets::KeyTable compression({{"range", value::range(allowed_compression), targets::needed,
-                                        "where to search; the search starts from `drive.compression`"}});
+                                        "range of the search, which starts from `drive.compression`"}});
   return targets::KeyTable({
       {"offset_mm", value::length(allowed_offset),
-       targets::otherwise(
-           "0.08 `cell_mm`; 0 with a `solver`, a `t.symmetry`, or a `channel` other than `light`"),
-       "largest offset of a hinge across its wall: such hinges show a picture without stretching; 0: hinges "
-       "on "
-       "their walls, which have to stretch"},
+       targets::otherwise("0.08 `cell_mm`; 0 with a `solver`, a `hinge_position.symmetry`, or a `channel` "
+                          "other than `light`"),
+       "largest lateral offset of a hinge. Such hinges show a picture without stretching. 0: hinges on their "
+       "walls, which have to stretch"},
       {"stretch_mm", value::length(allowed_offset), targets::by_default(0.0),
-       "most that hinges with offsets may stretch on purpose: a clearer picture for more force and a longer "
-       "search; "
-       "0: none at all"},
-      {"t", t_keys(), "the positions of the hinges"},
-      {"compression", compression, "how far the panel is compressed",
+       "limit of the joint separation of hinges with offsets. Separation gives a clearer picture, and needs "
+       "more force and a longer search. 0: none"},
+      targets::Key("hinge_position", t_keys(), "positions of the hinges along their walls").formerly("t"),
+      {"compression", compression, "compression of the panel",
        targets::otherwise("`drive.compression`, not searched")},
       {"axis", value::list(value::choice(axes), "`[x, y]`", 1, 2), targets::otherwise("`drive.axis`"),
-       "directions to try; the best is taken"},
+       "directions to try. The search keeps the best"},
   });
 }
 
 targets::KeyTable display_tolerance_keys() {
   std::vector<targets::Key> keys = {
       {"stretch", &DisplayFile::stretch, value::number(targets::part_of_one),
-       "most that a hinge may stretch, cell edges"},
+       "limit of the joint separation, in cell edges"},
       {"auc", &DisplayFile::auc, value::number({0.5, 1, false, true}),
-       "least [auc](#contrast-and-auc); of greys the rank correlation"},
+       "minimum of [auc](#contrast-and-auc). For greys: minimum of the rank correlation"},
       {"contrast", &DisplayFile::contrast, value::number(targets::at_least(0)),
-       "least [contrast](#contrast-and-auc), of pictures with two levels"},
+       "minimum of [contrast](#contrast-and-auc), the separation d′ of pictures with two levels"},
       verify_key(DisplayFile::default_verify_tolerance),
   };
   const auto limits =
-      hinge_limit_keys("the panel is pressed less where it has to be",
-                       targets::otherwise("what the material of `hinge` bears; none without `hinge.kind`"));
+      hinge_limit_keys("The search presses the panel less to stay within it",
+                       targets::otherwise("the limit of the material of `hinge`; none without `hinge.kind`"));
   keys.insert(keys.end() - 1, limits.begin(), limits.end());
   return targets::KeyTable(std::move(keys));
 }
@@ -115,7 +114,9 @@ std::optional<targets::Node> under(const targets::Section& root, std::string_vie
   return root.section(section).optional(key);
 }
 
-targets::Section t_section(const targets::Section& root) { return root.section("variables").section("t"); }
+targets::Section t_section(const targets::Section& root) {
+  return root.section("variables").section("hinge_position");
+}
 
 /// Returns whether a file has settings that only apply to hinges on their walls.
 bool requests_walls(const targets::Section& root, const DisplayFile& file) {
@@ -150,14 +151,15 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
   if (stretch_mm)
     throw root.section("variables")
         .optional("stretch_mm")
-        ->key_error("is for hinges with offsets; those on their walls stretch by up to tolerance.stretch");
+        ->key_error(
+            "has no effect if variables.offset_mm is 0. Remove the key, or set tolerance.stretch "
+            "instead");
   if (file.lattice.lattice)
     throw root.section("structure")
         .optional("lattice")
         ->error(
-            "hinges on their walls show pictures on squares alone; give `variables: {offset_mm: ...}` above "
-            "0 and no "
-            "`solver`, or leave `lattice` out");
+            "hinges on their walls show pictures only on squares. Set variables.offset_mm above 0 and remove "
+            "`solver`, or remove `lattice`");
   if (!under(root, "target", "channel")) file.channel = channel_on_walls;
   file.t = t_on_walls;
 }
@@ -181,12 +183,15 @@ void reject_plate_options(const targets::Section& root, const targets::Section& 
   const targets::Section variables = root.section("variables");
   for (const char* key : {"compression", "axis", "stretch_mm"})
     if (const auto node = variables.optional(key))
-      throw node->key_error("is for plates; a driven hinge goes to drive.angle_deg and strains nothing");
+      throw node->key_error(
+          "only applies to plates, and the drive is a hinge, which turns to drive.angle_deg. Remove the key, "
+          "or "
+          "give `drive: {kind: plates}`");
   if (!(file.offset > 0))
     throw drive.optional("kind")->error(
-        "hinges on their walls have to stretch, which takes plates; give `variables: {offset_mm: ...}` above "
-        "0 "
-        "and no `solver`, or kind: plates");
+        "hinges on their walls have to stretch, which needs plates. Set variables.offset_mm above 0 and "
+        "remove "
+        "`solver`, or give `kind: plates`");
 }
 
 void read_driven_hinge(const targets::Section& root, const targets::Section& drive, DisplayFile& file) {
@@ -199,9 +204,9 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("drive");
   section.read("kind", file.by_hinge, drives);
   if (section.given())
-    section.node().reject_unknown_keys(display_drive_keys().only(file.by_hinge ? "hinge" : "plates").names());
+    check_keys(section.node(), display_drive_keys().only(file.by_hinge ? "hinge" : "plates"));
   section.read("axis", file.axes.front(), axes);
-  section.read("press", file.press);
+  section.read("push_only", file.press);
   section.read_into(file);
   if (file.by_hinge) read_driven_hinge(root, section, file);
 }
@@ -211,7 +216,9 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
 void check_tied_t(const targets::Section& t, const DisplayFile& file) {
   if (file.symmetry == optim::Symmetry::none || (file.t[0] < 0.5 && file.t[1] > 0.5)) return;
   throw t.optional("range")->error(
-      "must hold 0.5 inside with a symmetry, which has hinges at t, at 1 - t and in the middle of walls");
+      "the range does not contain 0.5, and a symmetry puts hinges in the middle of walls. Give a range "
+      "around "
+      "0.5");
 }
 
 /// Checks t and symmetry for panels with offsets. All walls of the panel share one scaling, so no part is mirrored and
@@ -220,9 +227,14 @@ void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
   if (!(file.offset > 0)) return;
   const auto range = t.optional("range");
   if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
-    throw range->error("must hold 0.5 inside where hinges may have offsets (variables.offset_mm)");
+    throw range->error(
+        "the range does not contain 0.5, which offsets of hinges need. Give a range around 0.5, or set "
+        "variables.offset_mm: 0");
   if (file.symmetry != optim::Symmetry::none)
-    throw t.optional("symmetry")->error("is for hinges on their walls; give variables.offset_mm: 0, or none");
+    throw t.optional("symmetry")
+        ->error(
+            "a symmetry only applies to hinges on their walls. Remove the key, or set variables.offset_mm: "
+            "0");
 }
 
 void read_t(const targets::Section& t, DisplayFile& file) {
@@ -232,7 +244,11 @@ void read_t(const targets::Section& t, DisplayFile& file) {
   if (corner_mm) {
     const double least = *corner_mm / file.size.edge_mm;
     file.t = {std::max(file.t[0], least), std::min(file.t[1], 1 - least)};
-    if (!(file.t[0] < file.t[1])) throw t.optional("corner_mm")->error("leaves nothing of variables.t.range");
+    if (!(file.t[0] < file.t[1]))
+      throw t.optional("corner_mm")
+          ->error(
+              "no position is left within variables.hinge_position.range. Give a smaller corner_mm, or a "
+              "wider range");
   }
   check_scaled_t(t, file);
   check_tied_t(t, file);
@@ -247,23 +263,24 @@ void read_compression(const targets::Section& root, const targets::Section& comp
   const double start = std::clamp(file.compression, range[0], range[1]);
   if (given && start != file.compression)
     throw given->error(
-        fmt::format("{:g} lies outside variables.compression.range, which is [{:g}, {:g}]; the search "
-                    "starts there",
+        fmt::format("{:g} is outside variables.compression.range, which is [{:g}, {:g}]. Give a start within "
+                    "the range",
                     file.compression, range[0], range[1]));
   file.compression = start;
 }
 
 void read_axes(const targets::Section& root, const targets::Node& list, DisplayFile& file) {
   if (under(root, "drive", "axis"))
-    throw list.error("says which directions to try, and drive.axis which one to take; give only one of them");
+    throw list.error(
+        "cannot be combined with drive.axis, which sets the direction. Remove one of the two keys");
   file.axes.clear();
   for (const targets::Node& node : list.list("x, y or both, such as [x, y]")) {
     const Axis axis = read_word(node, axes);
     if (std::find(file.axes.begin(), file.axes.end(), axis) != file.axes.end())
-      throw node.error("is given twice");
+      throw node.error("the direction is listed twice. Remove one entry");
     file.axes.push_back(axis);
   }
-  if (file.axes.empty()) throw list.error("names no direction; give x, y or both, such as [x, y]");
+  if (file.axes.empty()) throw list.error("the list has no direction. Give x, y or both, such as [x, y]");
 }
 
 void read_variables(const targets::Section& root, DisplayFile& file) {
@@ -278,13 +295,16 @@ void read_limits(const targets::Section& section, DisplayFile& file) {
   if (const auto& made = file.hinge.made; made && !is_pin(made->kind) && !file.limits.strain)
     file.limits.strain = made->material.strain_max;
   if (const auto force = section.optional("force_N"); force && file.by_hinge)
-    throw force->key_error("is for plates; a driven hinge has a moment");
+    throw force->key_error(
+        "applies to plates only, and a driven hinge has a moment instead. Remove the key, or give `drive: "
+        "{kind: plates}`");
 }
 
 void read_tolerance(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("tolerance");
   if (const auto contrast = section.optional("contrast"); contrast && !file.goal.is_binary())
-    throw contrast->key_error("is for pictures of two levels; greys are judged by tolerance.auc alone");
+    throw contrast->key_error(
+        "only applies to pictures with two levels. Remove the key: tolerance.auc limits the error of greys");
   section.read_into(file);
   read_limits(section, file);
 }
@@ -292,14 +312,13 @@ void read_tolerance(const targets::Section& root, DisplayFile& file) {
 void check_search(const targets::Section& root, const DisplayFile& file) {
   if (const auto solver = root.optional("solver"); solver && file.offset > 0)
     throw solver->key_error(
-        "is for hinges on their walls (variables.offset_mm: 0); the scales of walls are a convex problem "
-        "with "
-        "one answer");
+        "has no effect here: with variables.offset_mm above 0 the problem is convex. Remove `solver`, or set "
+        "variables.offset_mm: 0");
   if (!file.solver.name) return;
   if (std::find(fitting_solvers.begin(), fitting_solvers.end(), *file.solver.name) == fitting_solvers.end())
     throw under(root, "solver", "name")
         ->error("`" + to_string(*file.solver.name) +
-                "` does not use gradients of a single cost; allowed for a display: mma, ccsa, slsqp");
+                "` does not use gradients of a single cost. Give mma, ccsa or slsqp");
 }
 
 }  // namespace
@@ -311,15 +330,15 @@ const targets::KeyTable& display_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::display_target_keys(), "the goal", targets::needed},
-          {"structure", display_structure_keys(), "the flat panel"},
-          {"variables", display_variables_keys(), "what the search may change, and how far"},
-          {"drive", display_drive_keys(), "how the panel is compressed"},
+          {"structure", display_structure_keys(), "flat panel"},
+          {"variables", display_variables_keys(), "quantities that the search changes, with their ranges"},
+          {"drive", display_drive_keys(), "actuation that compresses the panel"},
           {"hinge", elastic_hinge_keys(), any_hinge},
-          {"tolerance", display_tolerance_keys(), "when the goal is met"},
+          {"tolerance", display_tolerance_keys(), "limits for a met goal"},
           {"solver",
            solver_keys(fitting_solvers, search.starts, search.solver.max_evaluations,
                        "per stage of a search"),
-           "how the search is run; starts are counted per direction"},
+           "solver of the search. Starts are counted per direction"},
       },
       {});
   return keys;

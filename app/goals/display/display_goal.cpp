@@ -270,11 +270,13 @@ std::unique_ptr<Goal> make_goal(DisplayFile file) { return std::make_unique<Disp
 extern const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",
+    .meaning = "panel that shows a letter, a word or a picture",
+    .file = {{"image", "picture"}},
     .read = [](const targets::Node& root) { return make_goal(read_display_file(root)); },
     .table = display_keys,
     .model = Model::equilibrium,
     .metrics = {
-        {"contrast", "", "[d'](#contrast-and-auc) of the letter's cells from the rest"},
+        {"contrast", "", "[separation d'](#contrast-and-auc) of the letter's cells from the rest"},
         {"auc", "",
          "[part of pairs](#contrast-and-auc) in which the cell of the letter has the higher value"},
         {"separation", "", "difference of the two means of the channel, in the channel's unit"},
@@ -284,11 +286,11 @@ extern const GoalKind display_kind = {
         {"light_ratio", "", "luminance ratio: `light_letter` over `light_rest`"},
         {"contrast_rest", "", "contrast before compression"},
         {"auc_rest", "", "auc before compression"},
-        {"stretch_max", "cell edges", "largest gap of a hinge"},
-        {"contrast_physics", "", "contrast in the physics run"},
-        {"auc_physics", "", "auc in the physics run"},
-        {"separation_physics", "", "separation in the physics run"},
-        {"rank_physics", "", "rank in the physics run"}}};
+        {"stretch_max", "cell edges", "largest joint separation"},
+        {"contrast_physics", "", "contrast in the simulation"},
+        {"auc_physics", "", "auc in the simulation"},
+        {"separation_physics", "", "separation in the simulation"},
+        {"rank_physics", "", "rank in the simulation"}}};
 
 std::size_t memory_of_machine() {
   return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -301,8 +303,8 @@ void check_memory(targets::PanelSize size, int threads, int runs, std::size_t av
   const double needed = bytes_per_cell * size[0] * size[1] * parallel_runs, gib = 1 << 30;
   if (needed <= static_cast<double>(available)) return;
   throw InvalidInput(
-      fmt::format("a panel of {} x {} cells takes about {:.1f} GiB of memory to search on {} threads, and "
-                  "this machine has {:.1f} GiB; give fewer cells{}",
+      fmt::format("a search of {} x {} cells needs about {:.1f} GiB of memory on {} threads, and this "
+                  "machine has {:.1f} GiB. Give fewer cells{}",
                   size[0], size[1], needed / gib, parallel_runs, static_cast<double>(available) / gib,
                   parallel_runs > 1 ? ", or --threads 1" : ""),
       {"", 0, 0, "structure.cells"});

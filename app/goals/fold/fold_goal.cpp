@@ -164,7 +164,7 @@ std::string other_size(const FoldFile& file, const optim::FoldDesign& found, con
                        too_fine(file, box.size(better->edge_mm)));
   if (options.stop.stop_requested())
     return fmt::format(
-        "the search was stopped before it had tried all cells; try another cell edge (structure.cell_mm), or "
+        "the search was stopped before it had tried all cells. Try another cell edge (structure.cell_mm), or "
         "allow {}",
         looser);
   const auto mm = edges_mm(file.goal, found);
@@ -385,14 +385,16 @@ std::unique_ptr<Goal> make_goal(FoldFile file) { return std::make_unique<FoldGoa
 extern const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",
+    .meaning = "net that folds into a box, a tray or a solid",
     .read = [](const targets::Node& root) { return make_goal(read_fold_file(root)); },
     .table = fold_keys,
     .metrics = {
         {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},
-        {"fold_miss_deg", "deg", "the largest difference from what a crease was to fold by"},
-        {"face_rms", "", "[vertices of the faces from the ideal solid](#face_rms), over the edge of a face"},
-        {"fold_physics_deg", "deg", "fold of each crease in the physics run, a list"},
-        {"fold_miss_physics_deg", "deg", "the largest difference in the physics run"},
-        {"face_rms_physics", "", "face_rms in the physics run"}}};
+        {"fold_miss_deg", "deg", "largest difference between the fold of a crease and its goal"},
+        {"face_rms", "",
+         "[distance of the faces' vertices from the ideal solid](#face_rms), relative to the edge of a face"},
+        {"fold_physics_deg", "deg", "fold of each crease in the simulation, a list"},
+        {"fold_miss_physics_deg", "deg", "fold_miss_deg in the simulation"},
+        {"face_rms_physics", "", "face_rms in the simulation"}}};
 
 }  // namespace kinetix::app

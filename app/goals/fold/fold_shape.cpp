@@ -24,12 +24,13 @@ targets::KeyTable fold_tolerance_keys() {
       {"angle_deg", &FoldFile::angle_tolerance, value::angle({0, 90, false, true, "degrees"}),
        "most that the fold of a crease may be off"},
       {"shape", &FoldFile::shape_tolerance, value::number(targets::part_of_one),
-       "most of [face_rms](#face_rms), over the edge of a face"},
+       "limit of [face_rms](#face_rms), relative to the edge of a face"},
       {"size", &FoldFile::size_tolerance, value::number(targets::part_of_one),
-       "most that an edge of the folded box may differ from `target.box_mm`, over its length"},
+       "limit of the difference between an edge of the folded box and `target.box_mm`, relative to its "
+       "length"},
       verify_key(),
   };
-  const auto limits = hinge_limit_keys("the net folds at a smaller theta where it has to");
+  const auto limits = hinge_limit_keys("The net folds at a smaller angle to stay within it");
   keys.insert(keys.end() - 1, limits.begin(), limits.end());
   return targets::KeyTable(std::move(keys));
 }
@@ -54,7 +55,8 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
     throw cells->key_error(
-        "the cells of a fold follow from its faces; give them in target.box or target.net");
+        "the cells of a fold follow from its faces. Remove the key, and give faces in target.box or "
+        "target.net");
   file.size = read_size(root.section("structure"), fold_cell_mm);
   file.size =
       walls_for(root.section("structure"), file.size, read_process(root).min_wall_mm)(file.size.edge_mm);
@@ -83,21 +85,23 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
 
 void check_force_limit(const targets::Node& force, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
-    throw force.key_error("applies to elastic hinges; give `hinge` as well");
-  if (file.drive) throw force.key_error("is for a drive from outside; springs in the hinges need none");
+    throw force.key_error("only applies to elastic hinges. Add `hinge`, or remove the key");
+  if (file.drive)
+    throw force.key_error(
+        "only applies to an external drive, and springs in the hinges need none. Remove the key");
 }
 
 /// Rejects a strain limit without elastic hinges, because strain is known only in their equilibrium.
 void check_strain_limit(const targets::Node& strain, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
-    throw strain.key_error("applies to elastic hinges; leave out `model: rotary` of `hinge`");
+    throw strain.key_error("only applies to elastic hinges. Remove `model: rotary` of `hinge`, or this key");
 }
 
 void read_tolerance(const targets::Section& root, FoldFile& file) {
   const targets::Section section = root.section("tolerance");
   root.read_into(file);
   if (const auto size = section.optional("size"); size && !file.goal.box_mm)
-    throw size->key_error("is of `target.box_mm`, which is not given; leave it out");
+    throw size->key_error("only applies together with target.box_mm. Add target.box_mm, or remove the key");
   file.limits = read_hinge_limits(section, file.hinge, file.hinge_parts);
   if (const auto force = section.optional("force_N")) check_force_limit(*force, file);
   if (const auto strain = section.optional("strain")) check_strain_limit(*strain, file);
@@ -107,10 +111,10 @@ targets::KeyTable keys_of(const FoldFile& usual) {
   return goal_keys(
       {
           {"target", targets::fold_target_keys(), "the goal", targets::needed},
-          {"structure", fold_structure_keys(), "the flat net"},
+          {"structure", fold_structure_keys(), "flat net"},
           {"variables", net_variables_keys(usual.tilt, usual.theta),
-           "what the search may change, and how far"},
-          {"tolerance", fold_tolerance_keys(), "when the goal is met"},
+           "quantities that the search changes, with their ranges"},
+          {"tolerance", fold_tolerance_keys(), "limits for a met goal"},
       },
       any_hinge, {robust_key()});
 }
@@ -135,10 +139,11 @@ FoldFile read_fold_file(const targets::Node& node) {
   read_hinges(root, file.size, file);
   read_tolerance(root, file);
   if (file.goal.solid && file.robust)
-    throw root.optional("robust")->error("is for boxes and nets of squares; leave it out for a solid");
+    throw root.optional("robust")->error(
+        "only applies to boxes and nets of squares. Remove the key for a solid");
   if (file.goal.solid && file.limits.any())
     throw root.optional("tolerance")
-        ->error("force_N and strain are kept for boxes and nets of squares; leave them out for a solid");
+        ->error("force_N and strain only apply to boxes and nets of squares. Remove them for a solid");
   return file;
 }
 

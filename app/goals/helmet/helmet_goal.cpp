@@ -27,12 +27,11 @@ targets::KeyTable helmet_target_keys() {
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
   keys.insert(
       keys.end(),
-      {{"ribs", &Spec::ribs, value::integer(1, max_ribs),
-        "how many there are along the spine, evenly spaced"},
+      {{"ribs", &Spec::ribs, value::integer(1, max_ribs), "number of ribs, evenly spaced along the spine"},
        {"spacing_mm", &Spec::spacing_mm, value::number(targets::from_to(min_helmet_cell_mm, 1000, "mm")),
         targets::otherwise("follows from `ribs`"),
-        "distance of the ribs instead of their number: they are as many, evenly spaced, as come "
-        "nearest to it"},
+        "distance of the ribs, instead of their number. The number of evenly spaced ribs with the nearest "
+        "distance is used"},
        targets::coverage_key(),
        {"clearance_mm", &Spec::clearance_mm, value::number(targets::from_to(0, 100, "mm")),
         "distance of the helmet from the head"}});
@@ -48,16 +47,20 @@ targets::KeyTable helmet_structure_keys() {
 void read_structure(const targets::Section& root, HelmetFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
-    throw cells->key_error("the cells of a helmet follow from the head, target.ribs and structure.cell_mm");
+    throw cells->key_error(
+        "the cells of a helmet follow from the head. Remove the key, and set target.ribs and "
+        "structure.cell_mm");
   file.spec.size = read_size(root.section("structure"), helmet_cell_mm);
 }
 
 void read_ribs(const targets::Section& target, HelmetFile& file) {
   const auto ribs = target.optional("ribs"), spacing = target.optional("spacing_mm");
-  if (ribs && spacing) throw spacing->key_error("and target.ribs say the same thing; give one of them");
+  if (ribs && spacing)
+    throw spacing->key_error(
+        "cannot be combined with target.ribs, which also sets the distance. Remove one of the two keys");
   target.read_into(file.spec);
   if (spacing && *file.spec.spacing_mm < 2 * file.spec.size.edge_mm * std::cos(file.spec.start_theta))
-    throw spacing->error("ribs so close overlap flat: leave two cells at least, which are " +
+    throw spacing->error("ribs at this distance overlap in the flat sheet. Give at least two cells, " +
                          targets::shortest_text(2 * file.spec.size.edge_mm) + " mm flat");
   file.spec.coverage_mm = file.head.coverage_mm;
 }
@@ -87,10 +90,10 @@ void check_solver(const targets::Section& root) {
   if (!solver || solver->kind() != targets::Node::Kind::map) return;
   if (const auto starts = solver->optional("starts"))
     throw starts->key_error(
-        "a helmet is searched from one start, the net that is laid out on the head; leave it out");
+        "a helmet has a single start, the net that is laid out on the head. Remove the key");
   const auto name = solver->optional("name");
   if (name && read_solver_name(*name) != optim::SolverName::ceres)
-    throw name->error("a helmet's hundreds of tilts need second-order steps; allowed: ceres");
+    throw name->error("the hundreds of tilts of a helmet need second-order steps. Give ceres");
 }
 
 }  // namespace
@@ -100,27 +103,27 @@ const targets::KeyTable& helmet_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", helmet_target_keys(), "the goal", targets::needed},
-          {"structure", helmet_structure_keys(), "the flat helmet"},
+          {"structure", helmet_structure_keys(), "flat helmet"},
           {"variables", net_variables_keys(usual.tilt, usual.theta),
-           "what the search may change, and how far"},
+           "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"rms_mm", &HelmetFile::rms_mm, value::number(targets::above(0, "mm")),
                 targets::otherwise(
                     fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::default_rms_mm)),
-                "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
+                "limit of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
                {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
-                targets::otherwise(fmt::format(
-                    "{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
-                    HelmetFile::default_max_mm)),
-                "likewise, the largest"},
+                targets::otherwise(
+                    fmt::format("{:g}, or less: half a cell or a thirtieth of `target.coverage_mm`",
+                                HelmetFile::default_max_mm)),
+                "limit of the largest distance"},
                {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
-                targets::otherwise("any will do"), "least of [covered_share](#covered_share)"},
+                targets::otherwise("no limit"), "minimum of [covered_share](#covered_share)"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
           {"solver", solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search"),
-           "how the search is run"},
+           "solver of the search"},
       },
       any_hinge);
   return keys;
@@ -374,20 +377,22 @@ std::unique_ptr<Goal> make_goal(HelmetFile file) {
 extern const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
+    .meaning = "flat sheet that folds onto a head",
+    .file = {{"mesh", "mesh"}},
     .read = [](const targets::Node& root) { return make_goal(read_helmet_file(root)); },
     .table = helmet_keys,
     .metrics = {
         {"distance_rms_mm", "mm",
          "[distance from head plus clearance](#distances-of-a-helmet), root mean square"},
-        {"distance_max_mm", "mm", "likewise, the largest"},
+        {"distance_max_mm", "mm", "largest distance from head plus clearance"},
         {"rib_rms_mm", "mm", "distance of the worst rib's midline from its section curve"},
         {"covered_share", "",
          "[share of the head's area above the rim within a cell edge of a rib](#covered_share)"},
         {"goal_rms_mm", "mm", "distance of the head, plus clearance, from the nearest rib, root mean square"},
-        {"goal_max_mm", "mm", "likewise, the largest"},
-        {"walls_inside", "", "how many walls lie in the head"},
-        {"walls_inside_physics", "", "walls_inside in the physics run"},
-        {"distance_rms_mm_physics", "mm", "distance_rms_mm in the physics run"},
-        {"distance_max_mm_physics", "mm", "distance_max_mm in the physics run"}}};
+        {"goal_max_mm", "mm", "largest distance of the head, plus clearance, from the nearest rib"},
+        {"walls_inside", "", "number of walls inside the head"},
+        {"walls_inside_physics", "", "walls_inside in the simulation"},
+        {"distance_rms_mm_physics", "mm", "distance_rms_mm in the simulation"},
+        {"distance_max_mm_physics", "mm", "distance_max_mm in the simulation"}}};
 
 }  // namespace kinetix::app

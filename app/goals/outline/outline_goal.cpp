@@ -266,16 +266,19 @@ std::unique_ptr<Goal> make_goal(OutlineFile file) { return std::make_unique<Outl
 extern const GoalKind outline_kind = {
     .name = "outline",
     .example = "target: {kind: outline, points: outline.csv}",
+    .meaning = "panel that changes its outline",
+    .file = {{"points", "x,y"}},
     .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
-    .metrics = {{"outline_rms", "",
-                 "[vertices of the rim from the outline](#outline_rms-and-iou), root mean square"},
-                {"outline_max", "", "likewise, the largest"},
-                {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), over that of both"},
-                {"flat_rms", "", "outline_rms of the flat panel, where its outline is prescribed"},
-                {"flat_iou", "", "iou of the flat panel, likewise"},
-                {"outline_rms_physics", "", "outline_rms in the physics run"},
-                {"iou_physics", "", "iou in the physics run"}},
+    .metrics =
+        {{"outline_rms", "",
+          "[distance of the boundary's vertices from the outline](#outline_rms-and-iou), root mean square"},
+         {"outline_max", "", "largest distance of the boundary's vertices from the outline"},
+         {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), relative to that of both"},
+         {"flat_rms", "", "outline_rms of the flat panel, with `target.flat`"},
+         {"flat_iou", "", "iou of the flat panel, with `target.flat`"},
+         {"outline_rms_physics", "", "outline_rms in the simulation"},
+         {"iou_physics", "", "iou in the simulation"}},
     .keeps_length = true,
     .usual_cells = {{usual_side, usual_side}}};
 

@@ -31,11 +31,11 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
                 "[columns, rows] of the panel, or of the rectangle that it is cut from"));
   keys.push_back(
       {"trim", value::choice(trims),
-       targets::otherwise("`none` where `cells` or `target.flat` is given, else `outline`"),
-       "`outline`: the flat panel is cut to the outline's shape; `none`: a whole rectangle of cells"});
-  keys.push_back(
-      cell_mm_key(targets::otherwise("gives the pressed panel the outline's own size; where it is given, the "
-                                     "outline is as large as the panel makes it")));
+       targets::otherwise("`none` with `cells` or `target.flat`, else `outline`"),
+       "`outline`: the flat panel is cut to the shape of the outline. `none`: a whole rectangle of cells"});
+  keys.push_back(cell_mm_key(
+      targets::otherwise("gives the pressed panel the size of the outline. If the key is given, the "
+                         "outline is scaled to the panel")));
   keys.push_back(wall_mm_key());
   return targets::KeyTable(std::move(keys));
 }
@@ -43,15 +43,15 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
 targets::KeyTable outline_variables_keys() {
   const targets::KeyTable t(
       {{"range", &OutlineFile::t, value::range(targets::place_along),
-        "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
+        "allowed positions of hinges along their walls. The end nearer to 0.5 limits both sides"}});
   const targets::KeyTable theta(
       {{"range_deg", &OutlineFile::theta, value::angle_range(fold_range),
-        "turn of the bodies in the pressed state: several within the range are tried"}});
+        "fold angle of the pressed state. The search tries several within the range"}});
   return targets::KeyTable({
       {"offset_mm", &OutlineFile::offset_mm, value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
-       "how far hinges may sit off the middle of their walls, to either side"},
-      {"t", t, "where hinges sit on their walls"},
-      {"theta", theta, "how far the panel is pressed"},
+       "largest lateral offset of a hinge, to either side"},
+      targets::Key("hinge_position", t, "positions of the hinges along their walls").formerly("t"),
+      targets::Key("fold_angle", theta, "fold angle of the pressed panel").formerly("theta"),
   });
 }
 
@@ -61,9 +61,10 @@ void read_cells_of(const targets::Section& structure, OutlineFile& file) {
   structure.read("trim", file.trims, trims);
   if (!node) return;
   const auto sides = as_rectangle(read_cells(*node));
-  if (!sides) throw node->error("the cells of an outline must fill a rectangle; give [columns, rows]");
+  if (!sides)
+    throw node->error("the cells do not fill a rectangle, which an outline needs. Give [columns, rows]");
   if ((*sides)[0] * (*sides)[1] > most_cells)
-    throw node->error("more cells than a search can fit; at most 10000");
+    throw node->error("there are too many cells for a search. Give at most 10000");
   file.columns = (*sides)[0];
   file.rows = (*sides)[1];
 }
@@ -78,16 +79,18 @@ void read_structure(const targets::Section& root, OutlineFile& file) {
   wall.read("height", file.height_mm);
   if (file.flat && file.trims)
     throw root.section("structure")
-        .error("a panel whose flat outline is prescribed is not trimmed; leave `trim` out");
+        .error(
+            "`trim: outline` cannot be combined with `target.flat`, which sets the flat outline. Remove one "
+            "of the two keys");
 }
 
 void read_variables(const targets::Section& root, OutlineFile& file) {
   root.read_into(file, file.cell_mm.value_or(file.folded.diagonal()));
   if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
     throw root.section("variables")
-        .section("t")
+        .section("hinge_position")
         .optional("range")
-        ->error("must hold 0.5, where hinges start");
+        ->error("the range does not contain 0.5, where hinges start. Give a range around 0.5");
 }
 
 /// Limits the offset to the largest at which a made hinge fits on its wall. @throws InvalidInput for a larger offset_mm
@@ -117,18 +120,18 @@ const targets::KeyTable& outline_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::outline_target_keys(), "the goal", targets::needed},
-          {"structure", outline_structure_keys(usual), "the flat panel"},
-          {"variables", outline_variables_keys(), "what the search may change, and how far"},
+          {"structure", outline_structure_keys(usual), "flat panel"},
+          {"variables", outline_variables_keys(), "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
-                "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding "
-                "box"},
+                "limit of [outline_rms](#outline_rms-and-iou), relative to the diagonal of the outline's "
+                "bounding box"},
                {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
-                "least of [iou](#outline_rms-and-iou)"},
+                "minimum of [iou](#outline_rms-and-iou)"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       sized_hinge);
   return keys;
@@ -147,7 +150,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
   if (!file.hinge_parts.empty())
     throw root.section("hinge").optional("except")->key_error(
-        "names creases, which a panel has none of: all its hinges stand upright");
+        "the hinges of a panel are upright, so it has no creases. Remove the key");
   limit_outline_offset(root, file);
   return file;
 }
@@ -184,7 +187,7 @@ std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& fold
                                                       : std::pair(&model::rhombus_lattice, pi / 2);
   std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, folded);
   if (cuts.empty())
-    throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
+    throw InvalidInput("no cells of the lattice are within the outline. Give more `structure.cells`");
   return cuts;
 }
 

@@ -47,14 +47,14 @@ const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
 
 targets::KeyTable block_variables_keys() {
   using Variables = optim::SpaceBlockVariables;
-  const targets::KeyTable theta(
-      {{"range_deg", &Variables::theta, value::angle_range(block_turns), "half of the turn of the rotors"}});
-  const targets::KeyTable gusset(
-      {{"range", &Variables::gusset, value::range(gusset_lengths),
-        "lengths of gussets, the pieces between two rotors that never turn, over the edge; the shortest are "
-        "0.2, or as near to it as theta keeps its range"}});
-  return targets::KeyTable(
-      {{"theta", theta, "how far rotors turn"}, {"gusset", gusset, "how long gussets may be"}});
+  const targets::KeyTable theta({{"range_deg", &Variables::theta, value::angle_range(block_turns),
+                                  "fold angle: half of the rotation of the rotors"}});
+  const targets::KeyTable gusset({{"range", &Variables::gusset, value::range(gusset_lengths),
+                                   "lengths of gussets, the pieces between two rotors that never turn, "
+                                   "relative to the edge. The shortest "
+                                   "are 0.2, or as near to 0.2 as the range of the fold angle allows"}});
+  return targets::KeyTable({targets::Key("fold_angle", theta, "fold angle of the block").formerly("theta"),
+                            {"gusset", gusset, "lengths of the gussets"}});
 }
 
 void read_block_structure(const targets::Section& root, SpaceBlockFile& file) {
@@ -72,7 +72,7 @@ void read_block_tolerance(const targets::Section& root, SpaceBlockFile& file) {
   root.read_into(file);
   const auto size = root.section("tolerance").optional("size");
   if (size && !file.goal.size_mm)
-    throw size->key_error("is of `target.size_mm`, which is not given; leave it out");
+    throw size->key_error("only applies together with target.size_mm. Add target.size_mm, or remove the key");
 }
 
 void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
@@ -85,8 +85,8 @@ void check_bodies(const targets::Section& target, const SpaceBlockFile& file) {
   const double bodies = static_cast<double>(bodies_per_cell) * cells[0] * cells[1] * cells[2];
   if (bodies <= max_block_bodies) return;
   throw target.error(
-      fmt::format("{} x {} x {} cells have some {:.0f} bodies; at most {} are searched for: give "
-                  "larger cells",
+      fmt::format("{} x {} x {} cells have about {:.0f} bodies, and the limit of a search is {}. Give larger "
+                  "cells",
                   cells[0], cells[1], cells[2], bodies, max_block_bodies));
 }
 
@@ -98,22 +98,22 @@ const targets::KeyTable& space_block_keys() {
           {"structure",
            targets::KeyTable({
                {"cells", value::list(value::integer(1, max_block_cells), "`[x, y, z]`", 3, 3),
-                targets::otherwise("[2, 2, 2], or as `target.size_mm` asks"),
+                targets::otherwise("[2, 2, 2], or a number for `target.size_mm`"),
                 "cubic cells of the sodalite net, each 2.83 edges long"},
-               cell_mm_key(targets::otherwise("20, or as `target.size_mm` asks")),
-               thin_walls_key("edges", "the walls, from each rotor to the middle of a gusset"),
+               cell_mm_key(targets::otherwise("20, or a length for `target.size_mm`")),
+               thin_walls_key("edges", "size of the walls, from each rotor to the middle of a gusset"),
            }),
-           "the lattice"},
-          {"variables", block_variables_keys(), "how far the search may go"},
+           "lattice of the block"},
+          {"variables", block_variables_keys(), "ranges of the search"},
           {"tolerance",
            targets::KeyTable({
                {"factor", &SpaceBlockFile::factor_tolerance, value::number(targets::part_of_one),
-                "most that the factor of a direction may differ from `target.factor`"},
+                "limit of the difference between a direction's factor and `target.factor`"},
                {"size", &SpaceBlockFile::size_tolerance, value::number(targets::part_of_one),
-                "most that a length at rest may differ from `target.size_mm`, over it"},
+                "limit of the difference between a length at rest and `target.size_mm`, relative to it"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       {});
   return keys;
@@ -305,13 +305,12 @@ std::unique_ptr<Goal> make_goal(SpaceBlockFile file) {
 extern const GoalKind space_block_kind = {
     .name = "space_block",
     .example = "target: {kind: space_block, factor: 0.85}",
+    .meaning = "block that shrinks by a given factor",
     .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },
     .table = space_block_keys,
-    .metrics = {{"factor_off", "",
-                 "largest difference of a direction's length, over that at rest, from the factor asked for"},
-                {"factor_off_physics", "", "the same in the physics run"},
+    .metrics = {{"factor_off", "", "largest difference between a direction's factor and `target.factor`"},
+                {"factor_off_physics", "", "factor_off in the simulation"},
                 {"size_off", "",
-                 "largest difference of a length at rest from the one asked for, over it; where "
-                 "`target.size_mm` is given"}}};
+                 "largest difference between a length at rest and `target.size_mm`, relative to it"}}};
 
 }  // namespace kinetix::app

@@ -30,10 +30,11 @@ const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 
 targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
-      cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
-                "[columns, 1]; by default fewer, but at least 24, where the process could not print the "
-                "walls of so many and fewer can follow the curve; where only `cell_mm` is given, as many "
-                "columns as make the strip as long as the curve"),
+      cells_key(
+          targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
+          "[columns, 1]. The default is reduced, to 24 columns at least, if the process cannot print such "
+          "thin walls and fewer columns can follow the curve. If only `cell_mm` is given, the number of "
+          "columns follows from the length of the curve"),
       cell_mm_key(targets::otherwise("gives the strip the curve's length")),
       wall_mm_key(),
   });
@@ -44,27 +45,27 @@ targets::KeyTable strip_variables_keys() {
   static const Variables usual{};
   const targets::KeyTable beta(
       {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-usual.beta, usual.beta),
-        "tilts of bending columns; the side that is nearer to 0 counts for both"}});
+        "tilts of bending columns. The end nearer to 0 limits both signs"}});
   const targets::KeyTable t({{"range", &Variables::t, value::range(targets::place_along),
-                              "where hinges of shearing columns may sit on their walls; the side that is "
-                              "nearer to 0.5 counts for both"}});
+                              "allowed positions of hinges of shearing columns along their walls. The end "
+                              "nearer to 0.5 limits both sides"}});
   const targets::KeyTable theta(
       {{"range_deg", &Variables::theta, value::angle_range(folds),
-        "turn of the bodies in the folded state; several within the range are tried where `cell_mm` is left "
-        "out"}});
+        "fold angle of the folded state. Without `cell_mm` the search tries several within the range"}});
   return targets::KeyTable({
-      {"beta", beta, "the tilts of the hinges"},
-      {"t", t, "where hinges sit on their walls"},
-      {"theta", theta, "how far the strip is folded"},
+      targets::Key("tilt", beta, "tilts of the hinges").formerly("beta"),
+      targets::Key("hinge_position", t, "positions of the hinges along their walls").formerly("t"),
+      targets::Key("fold_angle", theta, "fold angle of the strip").formerly("theta"),
   });
 }
 
 int read_columns(const targets::Node& node) {
   const auto sides = as_rectangle(read_cells(node));
   if (!sides || (*sides)[1] != 1)
-    throw node.error("a strip for a curve in space is one row of cells; give [columns, 1]");
+    throw node.error("a curve in space needs a strip of one row of cells. Give [columns, 1]");
   if ((*sides)[0] < min_columns || (*sides)[0] > most_columns)
-    throw node.error(fmt::format("{} columns; give {} to {}", (*sides)[0], min_columns, most_columns));
+    throw node.error(fmt::format("a strip of {} columns is not possible here. Give {} to {}", (*sides)[0],
+                                 min_columns, most_columns));
   return (*sides)[0];
 }
 
@@ -103,10 +104,10 @@ int columns_between_walls(const targets::Section& structure, const SpaceCurveFil
 void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
   if (typical_edge(file) >= smallest_cell_mm) return;
   throw root.required("target", "")
-      .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
-                         "are in millimetres; are these "
-                         "metres? If not, give structure.cell_mm",
-                         file.wanted.length(), file.variables.columns, typical_edge(file)));
+      .error(
+          fmt::format("the curve is {:.3g} mm long, and {} cells on it would have {:.3g} mm. Give points in "
+                      "millimetres, or structure.cell_mm for a curve this small",
+                      file.wanted.length(), file.variables.columns, typical_edge(file)));
 }
 
 /// Reads `structure`. @pre the variables are read
@@ -131,7 +132,7 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const double fitting = std::round(length / (v.size.edge_mm * std::cos(default_strip_theta)));
   if (!(fitting >= min_columns && fitting <= most_columns))
     throw cell_mm->error(
-        fmt::format("a curve of {:.6g} mm would take {:.0f} cells of {:.6g} mm; give {} to {} columns",
+        fmt::format("a curve of {:.3g} mm needs {:.0f} cells of {:.3g} mm. Give cells for {} to {} columns",
                     length, fitting, v.size.edge_mm, min_columns, most_columns));
   v.columns = static_cast<int>(fitting);
 }
@@ -139,15 +140,18 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
 void read_variables(const targets::Section& root, SpaceCurveFile& file) {
   const targets::Section variables = root.section("variables");
   optim::SpaceVariables& v = file.variables;
-  const targets::Section beta = variables.section("beta");
+  const targets::Section beta = variables.section("tilt");
   std::array<double, 2> tilts = {-v.beta, v.beta};
   beta.read("range_deg", tilts);
   if (!(tilts[0] < 0 && tilts[1] > 0))
-    throw beta.optional("range_deg")->error("must hold 0, an upright hinge");
+    throw beta.optional("range_deg")
+        ->error("the range does not contain 0, an upright hinge. Give a range around 0");
   v.beta = std::min(-tilts[0], tilts[1]);
   root.read_into(v);
   if (!(v.t[0] < 0.5 && v.t[1] > 0.5))
-    throw variables.section("t").optional("range")->error("must hold 0.5, where hinges start");
+    throw variables.section("hinge_position")
+        .optional("range")
+        ->error("the range does not contain 0.5, where hinges start. Give a range around 0.5");
 }
 
 /// Checks that cells of a given size and number can have the length of the curve.
@@ -160,10 +164,9 @@ void check_length(const targets::Section& root, const SpaceCurveFile& file) {
   if (file.wanted.length() >= 0.9 * least && file.wanted.length() <= 1.33 * most) return;
   throw root.section("structure")
       .optional("cell_mm")
-      ->error(fmt::format(
-          "{} cells of {:.6g} mm are {:.4g} to {:.4g} mm long within the range of theta, but the curve is "
-          "{:.4g} mm long",
-          v.columns, v.size.edge_mm, least, most, file.wanted.length()));
+      ->error(fmt::format("{} cells of {:.3g} mm span {:.3g} to {:.3g} mm within the range of the fold "
+                          "angle, and the curve is {:.3g} mm long. Change cell_mm or cells",
+                          v.columns, v.size.edge_mm, least, most, file.wanted.length()));
 }
 
 void check_reach(const SpaceCurveFile& file, const targets::Node& points, const std::vector<Place>& places) {
@@ -181,17 +184,17 @@ const targets::KeyTable& space_curve_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::space_curve_target_keys(), "the goal", targets::needed},
-          {"structure", space_curve_structure_keys(usual), "the flat strip"},
-          {"variables", strip_variables_keys(), "what the search may change, and how far"},
+          {"structure", space_curve_structure_keys(usual), "flat strip"},
+          {"variables", strip_variables_keys(), "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
                 targets::by_default(usual.shape_tolerance),
-                "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding "
-                "box"},
+                "limit of [shape_rms](#shape_rms-and-shape_max), relative to the diagonal of the curve's "
+                "bounding box"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       sized_hinge, {robust_key()});
   return keys;
@@ -432,12 +435,14 @@ std::unique_ptr<Goal> make_goal(SpaceCurveFile file) {
 extern const GoalKind space_curve_kind = {
     .name = "space_curve",
     .example = "target: {kind: space_curve, points: helix.csv}",
+    .meaning = "strip that folds into a curve in space",
+    .file = {{"points", "x,y,z"}},
     .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },
     .table = space_curve_keys,
     .metrics = {{"shape_rms", "",
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
-                {"shape_max", "", "likewise, the largest"},
-                {"shape_rms_physics", "", "shape_rms in the physics run"}},
+                {"shape_max", "", "largest distance of midline and goal"},
+                {"shape_rms_physics", "", "shape_rms in the simulation"}},
     .keeps_length = true};
 
 }  // namespace kinetix::app

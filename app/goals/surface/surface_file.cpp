@@ -1,5 +1,7 @@
 #include "app/goals/surface/surface_file.hpp"
 
+#include <fmt/format.h>
+
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
 #include "targets/surface/ribbed_surface.hpp"
@@ -23,15 +25,19 @@ const targets::Bounds edges = targets::between(0, 10);
 targets::KeyTable surface_target_keys() {
   std::vector<targets::Key> keys = targets::surface_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("surface"));
-  keys.push_back({"ribs", value::integer(1, max_ribs), targets::otherwise("a sheet of facets"),
-                  "so many ribs on a spine, over any surface, open or closed, in place of a sheet"});
+  keys.push_back(
+      {"ribs", value::integer(1, max_ribs), targets::otherwise("a sheet of facets"),
+       "number of ribs on a spine, which replace the sheet of facets. They cover any surface, open or "
+       "closed"});
   return targets::KeyTable(std::move(keys));
 }
 
 void read_structure(const targets::Section& root, SurfaceFile& file) {
   const targets::Section structure = root.section("structure");
   if (const auto cell = structure.optional("cell_mm"))
-    throw cell->key_error("belongs to `target.ribs`; the walls of a sheet follow from its facets");
+    throw cell->key_error(
+        "only applies to ribs: the walls of a sheet follow from its facets. Remove the key, or "
+        "add `target.ribs`");
   if (const auto facets = structure.optional("facets")) {
     const auto sides = facets->list_of(2, "[columns, rows]");
     file.columns = sides[0].integer(2, max_facets);
@@ -44,12 +50,13 @@ void read_variables_and_tolerance(const targets::Section& root, SurfaceFile& fil
   root.read_into(file);
   const targets::Section variables = root.section("variables");
   if (const auto edge = variables.optional("edge"); edge && !(file.edge[0] < 1 && file.edge[1] > 1))
-    throw edge->error("must hold 1, the mean edge");
+    throw edge->error("the range does not contain 1, the mean edge. Give a range around 1");
   if (const auto sector = variables.optional("sector_deg");
       sector && !(file.sector[0] < pi / 2 && file.sector[1] > pi / 2))
-    throw sector->error("must hold 90 deg");
+    throw sector->error("the range does not contain 90. Give a range around 90 degrees");
   if (const auto covered = root.section("tolerance").optional("covered_share"))
-    throw covered->key_error("belongs to `target.ribs`; of a sheet give `tolerance.cover`");
+    throw covered->key_error(
+        "only applies to ribs. Give `tolerance.cover` for a sheet, or add `target.ribs`");
 }
 
 /// Rejects a surface that turns by more than max_curvature over one flat facet.
@@ -58,10 +65,9 @@ void check_curvature(const targets::Section& target, const SurfaceFile& file) {
   const double facet = 2 * std::max(file.patch.half.x() / file.columns, file.patch.half.y() / file.rows);
   if (curvature.most * facet <= max_curvature) return;
   throw target.error(
-      "the surface curves too much for its facets: near (" + number_text(curvature.place.x()) + ", " +
-      number_text(curvature.place.y()) + ") mm its radius is " + number_text(1 / curvature.most) +
-      " mm, a facet is " + number_text(facet) +
-      " mm wide; allowed are radii of a facet's width; give more `structure.facets`, or `target.ribs`");
+      fmt::format("the radius of the surface near ({:.3g}, {:.3g}) mm is {:.3g} mm, less than the width of a "
+                  "facet, {:.3g} mm. Give more `structure.facets`, or `target.ribs`",
+                  curvature.place.x(), curvature.place.y(), 1 / curvature.most, facet));
 }
 
 }  // namespace
@@ -74,43 +80,44 @@ const targets::KeyTable& surface_file_keys() {
            targets::KeyTable({
                {"facets", value::list(value::integer(2, max_facets), "`[columns, rows]`", 2, 2),
                 targets::by_default(std::array<double, 2>{8, 8}),
-                "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
+                "flat facets of the folded sheet, along x and y of the surface. Each has 2 x 2 bodies"},
                {"cell_mm", value::number(targets::above(0, "mm")),
-                targets::otherwise("leaves room between ribs, and 25 cells along the diagonal"),
-                "of ribs: edge of a cell"},
-               thin_walls_key("of a mean wall, or of a cell of ribs",
-                              "the walls; their lengths follow from the surface"),
+                targets::otherwise("leaves room between ribs, with 25 cells along the diagonal"),
+                "cell edge of ribs"},
+               thin_walls_key("mean walls, or cells of ribs",
+                              "size of the walls. Their lengths follow from the surface"),
            }),
-           "the sheet"},
+           "flat sheet"},
           {"variables",
            targets::KeyTable({
-               {"theta_deg", &SurfaceFile::theta, value::angle(turns), "turn of the bodies on the surface"},
-               {"beta_deg", &SurfaceFile::tilt, value::angle(tilts),
-                "largest tilt of a hinge, to either side"},
+               targets::Key("fold_angle_deg", &SurfaceFile::theta, value::angle(turns),
+                            "fold angle of the sheet on the surface")
+                   .formerly("theta_deg"),
+               targets::Key("tilt_deg", &SurfaceFile::tilt, value::angle(tilts),
+                            "largest tilt of a hinge, of either sign")
+                   .formerly("beta_deg"),
                {"sector_deg", &SurfaceFile::sector, value::angle_range(sectors),
-                "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, "
-                "below 60 "
-                "and above 120 walls soon meet"},
+                "angles between the creases of a vertex. Below 50 and above 130 bodies may not fit round the "
+                "vertex. Below 60 and above 120 walls collide early"},
                {"edge", &SurfaceFile::edge, value::range(edges),
-                "lengths of the facets' edges, over their mean"},
+                "lengths of the facets' edges, relative to their mean"},
            }),
-           "how far the search may go"},
+           "ranges of the search"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &SurfaceFile::shape_tolerance, value::number(targets::part_of_one),
-                "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
+                "limit of [surface_rms](#surface_rms), relative to the diagonal of the surface's box"},
                {"cover", &SurfaceFile::cover_tolerance, value::number(share),
-                "of a sheet: least of [cover](#surface_rms)"},
+                "for a sheet: minimum of [cover](#surface_rms)"},
                {"curvature_share", &SurfaceFile::curvature_tolerance, value::number(share),
-                "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both "
-                "ways by more "
-                "than 0.1 sr"},
+                "for a sheet: minimum of [curvature_share](#curvature_share), if the surface curves in both "
+                "directions by more than 0.1 sr"},
                {"covered_share", value::number(share),
                 targets::otherwise(targets::shortest_text(default_covered_share) + " with `target.ribs`"),
-                "of ribs: least of [covered_share](#covered_share)"},
+                "for ribs: minimum of [covered_share](#covered_share)"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       {});
   return keys;
@@ -137,10 +144,10 @@ void refuse_keys_of_sheets(const targets::Section& root) {
   const auto refuse = [&](const char* section, std::initializer_list<const char*> keys) {
     for (const char* key : keys)
       if (const auto node = root.section(section).optional(key))
-        throw node->key_error("belongs to a sheet of facets, target.ribs asks for ribs; leave it out");
+        throw node->key_error("only applies to a sheet of facets. Remove the key, or target.ribs");
   };
   refuse("structure", {"facets"});
-  refuse("variables", {"theta_deg", "sector_deg", "edge"});
+  refuse("variables", {"fold_angle_deg", "sector_deg", "edge"});
 }
 
 optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
@@ -150,7 +157,7 @@ optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSur
   ThinWalls walls;
   root.read_into(walls);
   spec.size = walls.size(spec.size.edge_mm);
-  root.section("variables").read("beta_deg", spec.tilt);
+  root.section("variables").read("tilt_deg", spec.tilt);
   spec.theta.upper = std::min(spec.theta.upper, closing_theta(spec.size));
   spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
   key.located([&] { plan_ribs(surface, spec); });
@@ -180,9 +187,9 @@ RibsFile read_ribs_file(const targets::Node& node) {
   const targets::Section tolerance = root.section("tolerance");
   tolerance.read("shape", file.shape_tolerance);
   if (const auto cover = tolerance.optional("cover"))
-    throw cover->key_error("belongs to a sheet of facets; of ribs give `tolerance.covered_share`");
+    throw cover->key_error("only applies to a sheet of facets. Give `tolerance.covered_share` for ribs");
   if (const auto curvature = tolerance.optional("curvature_share"))
-    throw curvature->key_error("belongs to a sheet of facets, ribs follow any curvature; leave it out");
+    throw curvature->key_error("only applies to a sheet of facets. Remove the key, or target.ribs");
   tolerance.read("covered_share", file.covered_tolerance);
   read_settings(root, file.spec.size.edge_mm, file);
   return file;

@@ -165,7 +165,7 @@ class SurfaceGoal final : public Goal {
       throw Interrupted("no sheet that folds flat was found before the search was stopped");
     if (!surface->design.valid)
       throw InvalidInput(
-          "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
+          "no sheet that folds flat was found for this surface. Give more `structure.facets`, or more room "
           "in `variables`");
     surface->diagonal_mm = file_.patch.diagonal();
     const targets::PointGrid vertices{file_.columns, file_.rows, surface->design.vertices};
@@ -329,26 +329,32 @@ static std::unique_ptr<Goal> read_goal(const targets::Node& root) {
 extern const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
+    .meaning = "sheet or ribs that cover a curved surface",
+    .file = {{"mesh", "mesh"}},
     .read = read_goal,
     .table = surface_file_keys,
     .metrics = {
         {"surface_rms", "",
-         "[vertices of the mesh from the surface's layers](#surface_rms), root mean square, over the "
-         "diagonal"},
-        {"surface_max", "", "likewise, the largest"},
+         "[distance of the mesh's vertices from the surface's layers](#surface_rms), root mean square, "
+         "relative to the diagonal"},
+        {"surface_max", "",
+         "largest distance of the mesh's vertices from the surface's layers, relative to the diagonal"},
         {"cover", "",
-         "[area that sheet and surface share](#surface_rms), over that of both; of ribs, area of their "
-         "cells"},
+         "[area that sheet and surface share](#surface_rms), relative to that of both. For ribs: area of "
+         "their cells"},
         {"curvature_share", "",
-         "of a sheet: [Gauss curvature that it has](#curvature_share) over that of the surface"},
+         "for a sheet: [its Gauss curvature](#curvature_share) relative to that of the surface"},
         {"developable_rms", "",
          "distance of the surface from the [best cylinder or cone](#curvature_share), root mean square, over "
          "the diagonal"},
         {"covered_share", "",
-         "of ribs: [share of the surface's area within a cell edge of a rib](#covered_share)"},
+         "for ribs: [share of the surface's area within a cell edge of a rib](#covered_share)"},
         {"goal_rms", "",
-         "of ribs: distance of the surface from the nearest rib, root mean square, over the diagonal"},
-        {"goal_max", "", "likewise, the largest"},
-        {"free_height", "", "largest height of plates, in mean walls, with which no walls meet on the way"}}};
+         "for ribs: distance of the surface from the nearest rib, root mean square, relative to the "
+         "diagonal"},
+        {"goal_max", "",
+         "for ribs: largest distance of the surface from the nearest rib, relative to the diagonal"},
+        {"free_height", "",
+         "largest height of plates, in mean walls, at which no walls collide during the motion"}}};
 
 }  // namespace kinetix::app

@@ -296,9 +296,9 @@ PrintSheet bridge_coupon(const model::Process& process, const std::optional<Eige
     return bridge_name(body / 2) + (body % 2 == 0 ? " mm, left" : " mm, right");
   };
   sheet.warnings = {fmt::format(
-      "bridges 0.4 to 1.6 mm wide and {:g} mm long, from below, with their widths on the tabs: bend each by "
-      "hand. {} bears turns of {} degrees by its strain limit. The narrowest bridge that stays whole is your "
-      "cutter's: `process: {{base: {}, least_film_mm: ...}}`. Tabs are {:g} mm wide if `kerf_mm` is right",
+      "bridges 0.4 to 1.6 mm wide and {:g} mm long, with their widths on the tabs. Bend each by hand. The "
+      "strain limit of {} allows {} degrees. The narrowest bridge that stays whole is the limit of your "
+      "cutter: `process: {{base: {}, min_film_mm: ...}}`. Tabs are {:g} mm wide if `kerf_mm` is right",
       bridge_mm, process.film, turns, process.name, tab_mm)};
   finish_coupon(sheet);
   if (bed_mm) sheet.tiles = coupon_tiles(sheet, *bed_mm);
@@ -324,8 +324,8 @@ PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen:
     return coupon_hinge_name(body / 2) + (body % 2 == 0 ? ", fork" : ", eye");
   };
   sheet.warnings = {
-      "gaps from 0.1 to 0.6 mm a side, left to right, told by the numbers on them; rows lean by 0, 30 and 60 "
-      "degrees: the least gap that turns is your printer's, for --clearance"};
+      "gaps from 0.1 to 0.6 mm per side, from left to right, with their widths next to them. Rows are tilted "
+      "by 0, 30 and 60 degrees. Use the smallest gap that turns for --clearance"};
   finish_coupon(sheet);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) add_number(h, sheet);
   if (bed_mm) sheet.tiles = coupon_tiles(sheet, *bed_mm);

@@ -360,12 +360,12 @@ void remove_lock(PrintSheet& sheet) {
 void check_lockable(const PrintSheet& sheet, LockKind kind) {
   if (sheet.process.cuts_sheets())
     throw InvalidInput(
-        fmt::format("lock: {} has parts above the walls, and {} cuts flat sheets; take lock: none",
+        fmt::format("lock: {} has parts above the walls, and {} cuts flat sheets. Give lock: none",
                     to_string(kind), sheet.process.name));
   if (sheet.path.size() < 2)
     throw InvalidInput(
-        fmt::format("lock: {} needs a fold, and only the flat sheet is known; give "
-                    "design.theta_deg or leave lock out",
+        fmt::format("lock: {} needs a fold, and only the flat sheet is known. Give design.fold_angle_deg, or "
+                    "remove the lock",
                     to_string(kind)));
 }
 
@@ -375,12 +375,11 @@ void add_lock(PrintSheet& sheet, LockKind kind) {
   check_lockable(sheet, kind);
   if (LockMaker(sheet, kind).add(requested_effort)) return;
   remove_lock(sheet);
-  throw InvalidInput(
-      kind == LockKind::clip
-          ? "lock: clip does not fit: no two bodies that come together have room for posts and a clip in "
-            "the fold; take larger cells, lock: strap or lock: none"
-          : "lock: strap does not fit: no two bodies that come together have room for eyes and a straight "
-            "strap in the fold; take larger cells or lock: none");
+  throw InvalidInput(kind == LockKind::clip
+                         ? "lock: clip does not fit: no two bodies that meet in the fold have room for posts "
+                           "and a clip. Give larger cells, lock: strap or lock: none"
+                         : "lock: strap does not fit: no two bodies that meet in the fold have room for eyes "
+                           "and a straight strap. Give larger cells or lock: none");
 }
 
 bool add_default_lock(PrintSheet& sheet) {

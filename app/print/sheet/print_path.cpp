@@ -17,7 +17,7 @@ constexpr int max_rounds = 3;         // of halving the steps of a path that is 
 PrintPath exact_path(const Design& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
   if (theta == 0) {
-    path.flat_only_reason = "the design's theta is 0";
+    path.flat_only_reason = "the fold angle of the design is 0";
     return path;
   }
   for (int k = 1; k <= path_steps; ++k) {
@@ -66,7 +66,7 @@ PrintPath traced_path(const Design& design, const model::ExactMotion& exact, int
   path.thetas.resize(1);
   path.states.resize(1);
   path.jumps.clear();
-  path.flat_only_reason = exact.why + "; and its equilibrium does not get there: " + traced.why;
+  path.flat_only_reason = exact.why + ", and its equilibrium does not reach it: " + traced.why;
   return path;
 }
 

@@ -340,7 +340,7 @@ void add_path_of_run(const Run& run, bool folded, PrintSheet& sheet) {
       sheet.thetas.push_back(s.theta);
     }
   if (run.closed_path->reached) return;
-  const std::string why = "it does not come to its drive's goal: " + run.closed_path->description;
+  const std::string why = "it does not reach the goal of its drive: " + run.closed_path->description;
   if (folded) throw InvalidInput("--state folded: " + why);
   sheet.warnings.push_back(why);
 }

@@ -47,7 +47,7 @@ const nlohmann::json& list_of(const nlohmann::json& value, const char* key) {
 
 nlohmann::json parsed(std::string_view text) {
   if (targets::find_too_deep(text))
-    throw InvalidInput("the command is nested too deep; send at most " +
+    throw InvalidInput("the command is nested too deep. Send at most " +
                        std::to_string(targets::max_document_depth) + " lists and maps in one another");
   return nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
 }
@@ -62,7 +62,7 @@ Message::Message(std::string_view text) : body_(parsed(text)) {
 
 const nlohmann::json& Message::at(const char* key, const char* what) const {
   const auto found = body_.find(key);
-  if (found == body_.end()) throw InvalidInput(fmt::format("{}: missing; it is {}", key, what));
+  if (found == body_.end()) throw InvalidInput(fmt::format("{}: the key is missing. Give {}", key, what));
   return *found;
 }
 
@@ -195,8 +195,9 @@ Json why(const BodiesMotion& motion, const model::Assembly& assembly) {
   const auto& [back, forth] = *motion.meets;
   for (const auto& met : {back, forth})
     if (met) out.push_back(describe_collision(*met, assembly));
-  out.push_back(back || forth ? "The exact motion goes on through bodies that meet; the physics does not."
-                              : "No two bodies meet on the way.");
+  out.push_back(back || forth
+                    ? "The analytic motion continues through colliding bodies. The simulation does not."
+                    : "No bodies collide during the motion.");
   return out;
 }
 

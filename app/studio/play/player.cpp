@@ -133,7 +133,7 @@ void Player::show_equilibrium(const model::State& state, double theta, double fo
 void Player::drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
   if (mode_ == Mode::bullet) return live_->drag(body, at, to);
   if (!moving_->exact)
-    throw InvalidInput("drag: the design has no exact way to follow; use the physics, or the fold slider");
+    throw InvalidInput("drag: the design has no analytic motion. Use the simulation, or the fold slider");
   const double nearest = nearest_theta(*moving_, sheet_theta(), body, at, to);
   fold_to(mode_ == Mode::equilibrium ? drive_theta(nearest, moving_->exact.at(nearest)) : nearest);
 }

@@ -230,7 +230,7 @@ double Moving::theta_of(const model::State& state) const {
 
 model::LinkageDrive Moving::turned(double theta) const {
   if (motion->pulled)
-    throw InvalidInput("theta: bodies of this design are pulled; in the physics they go by hand");
+    throw InvalidInput("theta: bodies of this design are pulled. Drag them in the simulation");
   return model::turned_hinge(motion->hinge, motion->sense,
                              model::turn_at_theta(motion->sense, within(theta)));
 }

@@ -291,7 +291,7 @@ void Session::open(const Message& message) {
   if (message.has("template")) return replace_design(template_design(message.text("template")));
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (lists_bodies(root))
-    throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
+    throw InvalidInput("open: a design of bodies needs its mesh files. Open it with `kinetix-opt view` FILE");
   Design design = read_design(root);
   require_showable(design);
   replace_design(std::move(design));

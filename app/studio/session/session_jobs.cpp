@@ -56,7 +56,7 @@ void Session::receive_part(const Message& message) {
 }
 
 void Session::search(const Message& message) {
-  if (searching_) throw InvalidInput("search: one is going on; stop it first");
+  if (searching_) throw InvalidInput("search: a search is running. Stop it first");
   const auto folder = make_temporary_folder();
   Parts parts = std::exchange(parts_[client_], {});
   if (message.has("files"))
@@ -238,8 +238,7 @@ void Session::dropped(int client, double id) {
 void Session::snap() {
   if (player_.mode() != Mode::equilibrium) throw InvalidInput("snap: needs the mode equilibrium");
   if (stable_.size() < 2)
-    throw InvalidInput(
-        "snap: no other stable state is known; fold further first, past where it would snap over");
+    throw InvalidInput("snap: no other stable state is known. Fold further first, past the snap-through");
   next_stable_ = (next_stable_ + 1) % stable_.size();
   const model::StableState& state = stable_[next_stable_];
   player_.show_equilibrium(state.state, player_.moving().theta_of(state.state), 0, state.energy);
@@ -300,7 +299,7 @@ void Session::cut_pieces_for(Mode mode) {
 namespace {}  // namespace
 
 void Session::export_files(const Message& message) {
-  if (exporting_) throw InvalidInput("export: one is going on; wait for it");
+  if (exporting_) throw InvalidInput("export: an export is running. Wait for its end");
   PrintRequest request;
   request.formats = message.texts("formats");
   if (message.has("process")) request.process = message.text("process");

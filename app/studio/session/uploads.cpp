@@ -29,16 +29,16 @@ void Parts::add(const std::string& name, std::int64_t at, const std::string& con
   const auto came = static_cast<std::int64_t>(here == files_.end() ? 0 : here->second.size());
   if (at != came)
     throw InvalidInput(
-        fmt::format("at: {} of the {} bytes of {} that came; send it again from 0", at, came, name));
+        fmt::format("at: {} of the {} bytes of {} arrived. Send the file again from 0", at, came, name));
   auto all = static_cast<std::int64_t>(content.size());
   for (const auto& [other, text] : files_) all += static_cast<std::int64_t>(text.size());
   if (all > max_part_bytes)
     refuse(
-        fmt::format("content: files of a search may have {} MiB in all; name larger ones in a target file "
-                    "and start the studio with that",
+        fmt::format("content: files of a search have more than {} MiB in all. Name larger files in a target "
+                    "file, and start the studio with it",
                     max_part_bytes >> 20));
   if (here == files_.end() && files_.size() >= max_part_files)
-    refuse(fmt::format("name: a search takes at most {} files; send those alone that its target names",
+    refuse(fmt::format("name: a search has at most {} files. Send only those that its target names",
                        max_part_files));
   files_[name] += content;
 }

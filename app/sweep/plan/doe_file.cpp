@@ -12,9 +12,11 @@ using targets::needed;
 using targets::otherwise;
 
 constexpr int max_levels = 1'000'000;  // per factor; their product has a separate limit
-// Values of the key `model`.
-constexpr targets::Word<Model> models[] = {
-    {"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}};
+// Values of the key `model`. `bullet` is the earlier name of `rigid_body`.
+constexpr targets::Word<Model> models[] = {{"exact", Model::exact},
+                                           {"equilibrium", Model::equilibrium},
+                                           {"rigid_body", Model::bullet},
+                                           {"bullet", Model::bullet}};
 /// Values of the key `start`: whether samples start from the base's state.
 constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
 /// Values of the key `method.kind`.
@@ -30,27 +32,28 @@ constexpr targets::Word<optim::SamplingMethod> methods[] = {
 const targets::KeyTable& method_keys() {
   static const optim::SamplingOptions usual{};
   static const targets::KeyTable keys({
-      {"kind", value::choice(methods), needed, "how samples are laid out ([methods](#methods-of-a-sweep))"},
+      {"kind", value::choice(methods), needed, "sampling method ([methods](#methods-of-a-sweep))"},
       {"samples", value::integer(1, static_cast<int>(max_samples)),
        targets::by_default(static_cast<double>(usual.samples)),
-       "how many; of `saltelli` the base N of N (d + 2) rows for d factors, of `morris` the number of "
-       "trajectories; `factorial` and `one_at_a_time` do not use it"},
+       "number of samples. For `saltelli`: the base N of N (d + 2) rows with d factors. For `morris`: the "
+       "number "
+       "of trajectories. `factorial` and `one_at_a_time` do not use it"},
       {"levels", value::integer(2, max_levels),
        targets::by_default(static_cast<double>(optim::Factor{}.levels)),
-       "levels of a grid, of factors that give none of their own"},
+       "levels of a grid, for factors without `levels`"},
       {"seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
-       "of the random numbers; `--seed` goes before it"},
+       "seed of the random numbers. `--seed` replaces it"},
   });
   return keys;
 }
 
 const targets::KeyTable& path_keys() {
   static const targets::KeyTable keys({
-      {"path", value::text("path"), needed, "of one or more numbers of the base"},
+      {"path", value::text("path"), needed, "path of one or more numbers of the base"},
       {"times", &FactorPath::times, value::number(), targets::by_default(FactorPath{}.times),
-       "what the factor is multiplied by"},
+       "multiplier of the factor"},
       {"plus", &FactorPath::plus, value::number(), targets::by_default(FactorPath{}.plus),
-       "what is added to it then"},
+       "summand, added after the multiplication"},
   });
   return keys;
 }
@@ -58,9 +61,10 @@ const targets::KeyTable& path_keys() {
 const targets::KeyTable& normal_keys() {
   static const targets::KeyTable keys({
       {"mean", &optim::NormalSpread::mean, value::number(),
-       targets::needed_as("the mean of the normal distribution"), "of the normal distribution"},
-      {"sd", &optim::NormalSpread::sd, value::number(targets::above(0)),
-       targets::needed_as("the standard deviation, above 0"), "its standard deviation"},
+       targets::needed_as("the mean of the normal distribution"), "mean of the normal distribution"},
+      targets::Key("std_dev", &optim::NormalSpread::sd, value::number(targets::above(0)),
+                   targets::needed_as("the standard deviation, above 0"), "standard deviation")
+          .formerly("sd"),
   });
   return keys;
 }
@@ -72,20 +76,20 @@ const targets::KeyTable& factor_keys() {
           {"path",
            value::either({value::text("path"), value::map(path_keys()),
                           value::list(path, "a list of these, which vary together")}),
-           needed, "the numbers of the base that vary ([paths](#paths-of-factors))"},
+           needed, "numbers of the base that vary ([paths](#paths-of-factors))"},
           {"name", value::text("heading"), otherwise("the first path"),
-           "heading of the factor's column; not with `each`"},
+           "heading of the factor's column, not with `each`"},
           {"range", value::range({}), {}, "evenly spread values between two ends"},
           {"levels", value::integer(2, max_levels), otherwise("`method.levels`"),
-           "levels of a grid; not with `values`"},
+           "levels of a grid, not with `values`"},
           {"normal", normal_keys(), "normally distributed values"},
-          {"values", value::list(value::number(), "a list of numbers"), {}, "these values and no others"},
+          {"values", value::list(value::number(), "a list of numbers"), {}, "all values of the factor"},
           {"each", &DoeFactor::each, value::boolean(), targets::by_default("false"),
-           "every number that the path matches is a factor of its own"},
+           "makes every number that the path matches a separate factor"},
           {"add", &DoeFactor::add, value::boolean(), targets::by_default("false"),
-           "values are added to the base's own"},
+           "adds the values to those of the base"},
           {"scale", &DoeFactor::scale, value::boolean(), targets::by_default("false"),
-           "values multiply the base's own"},
+           "multiplies the values with those of the base"},
       },
       {{"range", "normal", "values"}});
   return keys;
@@ -105,13 +109,14 @@ Model read_model(const targets::Section& root) {
 bool read_start(const targets::Section& root, Model model) {
   const auto node = root.optional("start");
   if (!node) return false;
-  if (model != Model::equilibrium) throw node->error("goes with `model: equilibrium`, which follows a load");
+  if (model != Model::equilibrium)
+    throw node->error("only applies to `model: equilibrium`. Remove the key, or change the model");
   return read_word(*node, starts);
 }
 
 std::uint64_t read_count(const targets::Node& node) {
   const double count = node.number(targets::from_to(1, static_cast<double>(max_samples), "samples"));
-  if (count != std::floor(count)) throw node.error("is not a whole number of samples");
+  if (count != std::floor(count)) throw node.error("is not a whole number. Give a whole number of samples");
   return static_cast<std::uint64_t>(count);
 }
 
@@ -134,24 +139,25 @@ FactorPath read_path(const targets::Node& node) {
   const targets::Section section(node, path_keys());
   FactorPath path = read_path(section.required("path", "a path into the base file"));
   section.read_into(path);
-  if (path.times == 0) throw node.error("`times: 0` leaves nothing of the factor");
+  if (path.times == 0)
+    throw node.error("`times: 0` removes the effect of the factor. Give another multiplier");
   return path;
 }
 
 std::vector<FactorPath> read_paths(const targets::Section& factor) {
   const targets::Node node =
-      factor.required("path", "a path into the base file, e.g. `path: design.theta_deg`");
+      factor.required("path", "a path into the base file, e.g. `path: design.fold_angle_deg`");
   if (node.kind() != targets::Node::Kind::list) return {read_path(node)};
   std::vector<FactorPath> paths;
   for (const targets::Node& entry : node.list("paths into the base file")) paths.push_back(read_path(entry));
-  if (paths.empty()) throw node.error("is empty; give at least one path");
+  if (paths.empty()) throw node.error("the list is empty. Give at least one path");
   return paths;
 }
 
 std::vector<double> read_list(const targets::Node& node) {
   std::vector<double> values;
   for (const targets::Node& entry : node.list("a list of numbers")) values.push_back(entry.number());
-  if (values.empty()) throw node.error("is empty; give at least one number");
+  if (values.empty()) throw node.error("the list is empty. Give at least one number");
   return values;
 }
 
@@ -161,9 +167,12 @@ optim::Factor read_values(const targets::Section& factor) {
              list = factor.optional("values");
   if (range.has_value() + normal.has_value() + list.has_value() != 1)
     throw factor.error(
-        "needs exactly one of `range: [lower, upper]`, `normal: {mean: m, sd: s}` and `values: [...]`");
+        "the values of the factor are not clear. Give exactly one of `range: [lower, upper]`, `normal: "
+        "{mean: m, "
+        "std_dev: s}` and `values: [...]`");
   if (const auto levels = factor.optional("levels")) {
-    if (list) throw levels->error("a list of values has as many levels as values; leave this out");
+    if (list)
+      throw levels->error("cannot be combined with `values`, each of which is a level. Remove `levels`");
     values.levels = levels->integer(2, max_levels);
   }
   if (list)
@@ -183,20 +192,21 @@ DoeFactor read_factor(const targets::Node& node) {
     factor.name = name->text("a heading for the factor's column");
   section.read_into(factor);
   if (factor.add && factor.scale)
-    throw node.error("has `add: true` and `scale: true`; only one of them can be");
+    throw node.error("`add: true` and `scale: true` exclude each other. Remove one of the two keys");
   if (factor.each && section.optional("name"))
-    throw section.optional("name")->error("goes with one column; with `each: true` each has its own path");
+    throw section.optional("name")->error(
+        "names one column, and `each: true` makes several. Remove `name`, or `each`");
   if (factor.each && factor.paths.size() > 1)
-    throw node.error("`each: true` goes with one path, not with several that vary together");
+    throw node.error("`each: true` needs a single path. Remove `each`, or give one path");
   return factor;
 }
 
 std::vector<DoeFactor> read_factors(const targets::Section& root) {
   const targets::Node node =
-      root.required("factors", "e.g. `- {path: design.theta_deg, range: [5, 40], levels: 8}`");
+      root.required("factors", "e.g. `- {path: design.fold_angle_deg, range: [5, 40], levels: 8}`");
   std::vector<DoeFactor> factors;
   for (const targets::Node& entry : node.list("a list of factors")) factors.push_back(read_factor(entry));
-  if (factors.empty()) throw node.error("is empty; a sweep needs at least one factor");
+  if (factors.empty()) throw node.error("the list is empty. Give at least one factor");
   return factors;
 }
 
@@ -204,19 +214,23 @@ std::vector<targets::Node> read_responses(const targets::Section& root) {
   const targets::Node node =
       root.required("responses", "the metrics to record, e.g. `responses: [area_ratio]`");
   std::vector<targets::Node> responses = node.list("a list of metrics");
-  if (responses.empty()) throw node.error("is empty; a sweep needs at least one response");
+  if (responses.empty()) throw node.error("the list is empty. Give at least one response");
   std::vector<std::string> names;
   for (const targets::Node& entry : responses) {
     names.push_back(entry.text("the name of a metric"));
-    if (std::count(names.begin(), names.end(), names.back()) > 1) throw entry.error("is given twice");
+    if (std::count(names.begin(), names.end(), names.back()) > 1)
+      throw entry.error("the response is listed twice. Remove one entry");
   }
   return responses;
 }
 
 void check_kind_of_file(const targets::Node& root) {
   if (root.kind() == targets::Node::Kind::map && !root.optional("factors")) {
-    if (root.optional("design")) throw root.error("this is a design, not a design of experiments");
-    if (root.optional("target")) throw root.error("this is a target, not a design of experiments");
+    if (root.optional("design"))
+      throw root.error(
+          "this file is a design, not a sweep. Run `kinetix-opt simulate DESIGN.yaml`, or give a sweep");
+    if (root.optional("target"))
+      throw root.error("this file is a target, not a sweep. Run `kinetix-opt TARGET.yaml`, or give a sweep");
   }
 }
 
@@ -225,20 +239,21 @@ void check_kind_of_file(const targets::Node& root) {
 const targets::KeyTable& doe_keys() {
   static const targets::KeyTable keys = file_keys({
       {"base", value::text("path of a design.yaml or a target.yaml"), needed,
-       "what is varied: every sample runs a design forwards, or searches for a target"},
-      {"goal", value::text("path of a target.yaml"), otherwise("responses that need one are refused"),
-       "the curve that `shape_rms` and `shape_max` of designs are measured against"},
+       "file that the sweep varies. Each sample simulates a design, or searches for a target"},
+      {"goal", value::text("path of a target.yaml"), otherwise("none: responses that need one are errors"),
+       "target whose curve `shape_rms` and `shape_max` of designs refer to"},
       {"model", value::choice(models), targets::by_default("exact"),
-       "what computes a sample: `exact` the closed form, `equilibrium` elastic hinges, `bullet` the physics "
-       "run"},
+       "model of a sample. `exact`: the analytic motion. `equilibrium`: elastic hinges. `rigid_body`: the "
+       "simulation"},
       {"start", value::choice(starts), targets::by_default("flat"),
-       "of `model: equilibrium`: follow the load from flat, or settle from the base's own state at the end "
-       "of "
-       "its drive, for small errors"},
-      {"method", method_keys(), "how samples are laid out", needed},
-      {"factors", value::list(value::map(factor_keys()), "a list of factors"), needed, "what varies"},
+       "for `model: equilibrium`: `flat` follows the load from flat. `base` starts from the base's state at "
+       "the "
+       "end of its drive, for small errors"},
+      {"method", method_keys(), "sampling method and number of samples", needed},
+      {"factors", value::list(value::map(factor_keys()), "a list of factors"), needed,
+       "quantities that vary"},
       {"responses", value::list(value::text("metric"), "a list of metrics"), needed,
-       "what is recorded ([metrics](#responses-of-a-sweep))"},
+       "metrics that are recorded ([metrics](#responses-of-a-sweep))"},
   });
   return keys;
 }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 
+#include "app/files/bodies_section.hpp"
 #include "app/goals/registry.hpp"
 #include "targets/document/wording.hpp"
 
@@ -22,6 +23,33 @@ SweepBase read_base(const std::string& file, const targets::DocumentChanges& cha
 namespace {
 
 constexpr std::size_t longest_compared = 200;  // bytes: bounds the time of a comparison
+
+using Kind = Edit::Kind;
+
+// Bounds of fold angles and tilts.
+const targets::Bounds tilt = targets::between(-90, 90, "degrees");
+
+/// Number of a hinge that can end a path.
+struct HingeNumber {
+  const char* key;
+  std::string_view old_key;  ///< earlier name; empty: none
+  Kind kind;
+  double model::HingeParameters::*member;
+  double flipped;          ///< sum of the numbers of two hinges that alternate
+  targets::Bounds bounds;  ///< fractions, degrees or cell edges
+
+  bool in_degrees() const { return bounds.unit == "degrees"; }
+  bool in_mm() const { return kind == Kind::t_mm || kind == Kind::offset_mm; }
+};
+
+using Hinge = model::HingeParameters;
+// Default and bounds of each number, in the unit of its key.
+const HingeNumber hinge_numbers[] = {
+    {"hinge_position", "t", Kind::t, &Hinge::t, 1, targets::between(0, 1)},
+    {"hinge_position_mm", "t_mm", Kind::t_mm, &Hinge::t, 1, targets::between(0, 1)},
+    {"alpha_deg", "", Kind::alpha_deg, &Hinge::alpha, pi, targets::between(0, 180, "degrees")},
+    {"tilt_deg", "beta_deg", Kind::beta_deg, &Hinge::beta, 0, tilt},
+    {"offset_mm", "", Kind::offset_mm, &Hinge::offset, 0, targets::between(-0.5, 0.5, "cell edges")}};
 
 /// Writes every position as `[*]`: names that differ only in a number become one.
 std::string pattern(targets::DocumentPath path) {
@@ -53,8 +81,8 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   for (const std::string& name : optional_keys(base)) add(name);
   if (!base.design || base.has_bodies()) return names;
   for (const char* group : groups_of_hinges(base))
-    for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg", "offset_mm"})
-      names.insert(fmt::format("design.{}[*].{}", group, key));
+    for (const HingeNumber& number : hinge_numbers)
+      names.insert(fmt::format("design.{}[*].{}", group, number.key));
   return names;
 }
 
@@ -69,12 +97,44 @@ void add_numbers(const targets::ValueType& type, const std::string& path, std::v
       add_numbers(key.type, path.empty() ? key.name : path + "." + key.name, paths);
 }
 
+/// Finds a key of a map, or of the maps that a value may be. @return null for all other keys
+const targets::Key* find_key(const targets::ValueType& type, std::string_view name) {
+  if (type.kind == targets::ValueType::Kind::map) return type.keys->find(name);
+  for (const targets::ValueType& alternative : type.parts)
+    if (type.kind == targets::ValueType::Kind::either)
+      if (const targets::Key* key = find_key(alternative, name)) return key;
+  return nullptr;
+}
+
+targets::ValueType file_type(const SweepBase& base) {
+  return targets::value::map(base.target         ? base.target->kind->table()
+                             : base.has_bodies() ? bodies_keys()
+                                                 : design_keys());
+}
+
+/// Returns the path with current names of keys. @param as_in_file whether keys that the base gives by their earlier
+/// names keep these
+targets::DocumentPath renamed(const SweepBase& base, targets::DocumentPath path, bool as_in_file) {
+  targets::ValueType type = file_type(base);
+  std::optional<targets::Node> node = base.root;
+  for (targets::PathStep& step : path) {
+    const targets::Key* key = step.key.empty() ? nullptr : find_key(type, step.key);
+    if (!key) return path;
+    const bool is_map = node && node->kind() == targets::Node::Kind::map;
+    const bool is_old = is_map && !key->old_name.empty() && node->optional(key->old_name);
+    step.key = is_old && as_in_file ? key->old_name : key->name;
+    node = is_map ? node->optional(is_old ? key->old_name : key->name) : std::nullopt;
+    type = targets::ValueType(key->type);
+  }
+  return path;
+}
+
 }  // namespace
 
 std::vector<std::string> optional_keys(const SweepBase& base) {
   if (base.has_bodies()) return {"structure.cell_mm", "drive.angle_deg"};
   std::vector<std::string> paths;
-  add_numbers(targets::value::map(base.target ? base.target->kind->table() : design_keys()), {}, paths);
+  add_numbers(file_type(base), {}, paths);
   return paths;
 }
 
@@ -87,48 +147,22 @@ std::string describe_unknown_path(const SweepBase& base, const targets::Document
   int least = std::numeric_limits<int>::max();
   for (const std::string& name : patterns(base, editor)) {
     if (name == asked)
-      return fmt::format("`{}` has no such entry; positions count from 0, and `[*]` takes all of them",
+      return fmt::format("`{}` has no such entry. Count positions from 0, or write `[*]` for all entries",
                          to_string(path));
     const int distance = targets::spelling_distance(asked.substr(0, longest_compared), name);
     if (distance >= least) continue;
     least = distance;
     nearest = name;
   }
-  return fmt::format("the base has no number at {}; the nearest is `{}`", targets::in_ticks(to_string(path)),
+  return fmt::format("the base has no number at {}. Did you mean `{}`?", targets::in_ticks(to_string(path)),
                      nearest);
 }
 
 namespace {
 
-using Kind = Edit::Kind;
-
-// Bounds of theta and tilts.
-const targets::Bounds tilt = targets::between(-90, 90, "degrees");
-
-/// Number of a hinge that can end a path.
-struct HingeNumber {
-  const char* key;
-  Kind kind;
-  double model::HingeParameters::*member;
-  double flipped;          ///< sum of the numbers of two hinges that alternate
-  targets::Bounds bounds;  ///< fractions, degrees or cell edges
-
-  bool in_degrees() const { return bounds.unit == "degrees"; }
-  bool in_mm() const { return kind == Kind::t_mm || kind == Kind::offset_mm; }
-};
-
-using Hinge = model::HingeParameters;
-// Default and bounds of each number, in the unit of its key.
-const HingeNumber hinge_numbers[] = {
-    {"t", Kind::t, &Hinge::t, 1, targets::between(0, 1)},
-    {"t_mm", Kind::t_mm, &Hinge::t, 1, targets::between(0, 1)},
-    {"alpha_deg", Kind::alpha_deg, &Hinge::alpha, pi, targets::between(0, 180, "degrees")},
-    {"beta_deg", Kind::beta_deg, &Hinge::beta, 0, tilt},
-    {"offset_mm", Kind::offset_mm, &Hinge::offset, 0, targets::between(-0.5, 0.5, "cell edges")}};
-
 std::optional<Kind> hinge_key(const std::string& key) {
   for (const HingeNumber& number : hinge_numbers)
-    if (key == number.key) return number.kind;
+    if (key == number.key || (!number.old_key.empty() && key == number.old_key)) return number.kind;
   return std::nullopt;
 }
 
@@ -196,7 +230,8 @@ std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPa
 std::vector<Match> structural(const SweepBase& base, const targets::DocumentPath& path) {
   if (!base.design || base.has_bodies()) return {};
   const model::Lattice& structure = base.design->structure;
-  if (path == targets::parse_path("design.theta_deg")) return {{"design.theta_deg", {{Kind::theta_deg}}}};
+  if (renamed(base, path, false) == targets::parse_path("design.fold_angle_deg"))
+    return {{to_string(path), {{Kind::theta_deg}}}};
   if (is_hinge_path(path, "walls")) return walls(structure, path);
   const model::Structure* squares = structure.squares();
   if (squares && is_hinge_path(path, "columns")) return lines(*squares, path, model::Axis::x);
@@ -222,7 +257,7 @@ double degrees_of(double radians) {
 
 void check_range(double value, const targets::Bounds& bounds) {
   if (!bounds.contains(value))
-    throw InvalidInput(fmt::format("{} is out of range; allowed: {}", value, bounds.describe()));
+    throw InvalidInput(fmt::format("{} is out of range. Give {}", value, bounds.describe()));
 }
 
 }  // namespace
@@ -231,7 +266,9 @@ std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& 
                                 const targets::DocumentPath& path) {
   std::vector<Match> matches = structural(base, path);
   if (!matches.empty()) return matches;
-  const auto items = is_optional_key(base, path) ? editor.find_or_add(path) : editor.find(path);
+  const targets::DocumentPath in_file = renamed(base, path, true);
+  const auto items =
+      is_optional_key(base, renamed(base, path, false)) ? editor.find_or_add(in_file) : editor.find(in_file);
   for (const int item : items) matches.push_back({editor.path(item), {{Kind::document, item}}});
   if (matches.empty()) throw InvalidInput(describe_unknown_path(base, editor, path));
   return matches;

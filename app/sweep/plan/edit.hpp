@@ -24,8 +24,7 @@ SweepBase read_base(const std::string& file, const targets::DocumentChanges& cha
 /// Lists the numbers that a file of the base's kind may hold, also those that this file leaves out.
 std::vector<std::string> optional_keys(const SweepBase& base);
 
-/// Returns a message such as "the base has no number at `design.tetha_deg`; the nearest is
-/// `design.theta_deg`".
+/// Returns a message such as "the base has no number at `design.tetha_deg`. Did you mean `design.theta_deg`?".
 std::string describe_unknown_path(const SweepBase& base, const targets::DocumentEditor& editor,
                                   const targets::DocumentPath& path);
 
@@ -58,12 +57,13 @@ struct Match {
 /// Finds the numbers that a factor's path matches. A path may name any number that the file holds. It may
 /// also name:
 /// - Keys that a file may leave out, such as `hinge.k_point`.
-/// - `design.walls[k]`: hinge k of the structure (in result.json's order), with `t`, `t_mm`, `alpha_deg`,
-/// `beta_deg` or `offset_mm`.
+/// - `design.walls[k]`: hinge k of the structure (in result.json's order), with `hinge_position`, `hinge_position_mm`,
+/// `alpha_deg`, `tilt_deg` or `offset_mm`.
 /// - `design.columns[c]`: x-walls of a column of cells. `design.rows[r]`: y-walls of a row. They alternate as
 /// in the exact families: t is the part of the vertex of sublattice A, tilts and offsets change their sign
 /// from wall to wall.
-/// - `design.hinges[n].t_mm`: t times cell_mm.
+/// - `design.hinges[n].hinge_position_mm`: hinge_position times cell_mm.
+/// Keys may have their current or their earlier names.
 /// @param editor a copy of the base's document. Keys that the file leaves out are added to it.
 /// @throws InvalidInput without a place if the path names nothing. The message gives the nearest path that
 /// exists.

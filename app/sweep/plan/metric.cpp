@@ -312,7 +312,7 @@ Metric find_metric(const std::string& name, const MetricContext& context) {
   const std::vector<std::string_view> views(names.begin(), names.end());
   const auto kinds = kinds_with_metric(name);
   if (!context.goal && !context.searches && !kinds.empty())
-    throw InvalidInput(fmt::format("{} needs `goal: FILE.yaml`, the {} target to measure against",
+    throw InvalidInput(fmt::format("{} refers to a target. Add `goal: FILE.yaml`, a target of kind {}",
                                    targets::in_ticks(name), fmt::join(kinds, " or ")));
   throw InvalidInput(targets::in_ticks(name) + " is not a metric of this model" +
                      targets::did_you_mean(name, views) + "; allowed: " + targets::joined(views));

@@ -54,8 +54,8 @@ void add_column(Columns& columns, const SweepBase& base, const targets::Document
     const auto own = base_value(base, document, edit);
     if (!own)
       throw factor.node.error(
-          factor.add ? "`add: true` adds to a number of the base, which leaves this one out"
-                     : "`scale: true` multiplies a number of the base, which leaves this one out");
+          factor.add ? "`add: true` needs a number in the base, which omits this one. Add it to the base"
+                     : "`scale: true` needs a number in the base, which omits this one. Add it to the base");
     (factor.add ? edit.base : edit.unit) = *own;
   }
   columns.bases.push_back(neutral(base, document, factor, edits));
@@ -88,12 +88,13 @@ void check_names(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (const char* reserved : {"sample", "status", "reason", "row_sha256"})
       if (targets::lower_case(columns.factors[k].name) == reserved)
-        throw columns.nodes[k].error("a column of the table is called so already; give another `name`");
+        throw columns.nodes[k].error("the table already has a column of this name. Give another `name`");
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (std::size_t n = 0; n < k; ++n)
       if (targets::lower_case(columns.factors[n].name) == targets::lower_case(columns.factors[k].name))
-        throw columns.nodes[k].error("two factors are called " + targets::in_ticks(columns.factors[k].name) +
-                                     "; give one a `name`");
+        throw columns.nodes[k].error("two factors have the name " +
+                                     targets::in_ticks(columns.factors[k].name) +
+                                     ". Give one of them another `name`");
 }
 
 /// Returns whether a factor would change a sample's cells, theta or drive.
@@ -118,17 +119,20 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
   for (const Edit& edit : columns.edits) {
     const targets::Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
-      throw node.error("the base's `drive` decides theta; vary the drive, or leave it out of the base");
+      throw node.error(
+          "the `drive` of the base sets the fold angle. Vary the drive, or remove it from the base");
     if (doe.from_base && moves_goal(document, edit))
       throw node.error(
-          "cannot change while samples start from the base's state; vary hinges and stiffnesses, or "
-          "leave out `start: base`");
+          "cannot vary if samples start from the base's state. Vary hinges and stiffnesses, or remove "
+          "`start: base`");
     const auto kind = edit.kind == Edit::Kind::t_mm ? Edit::Kind::t : edit.kind;
     if (!written.emplace(kind, edit.index).second)
-      throw node.error("writes a number of the base that a factor writes already");
+      throw node.error(
+          "another factor already varies this number of the base. Remove one of the two factors");
     const bool structural = edit.kind != Edit::Kind::document && edit.kind != Edit::Kind::theta_deg;
     if (structural && cells_change)
-      throw node.error("hinges cannot be varied one by one while `structure.cells` changes");
+      throw node.error(
+          "single hinges cannot vary together with `structure.cells`. Remove one of the two factors");
   }
 }
 
@@ -141,7 +145,9 @@ void check_moved(const DoeFile& doe, const Columns& columns, const targets::Docu
   for (std::size_t r = 0; r < responses.size(); ++r)
     if (responses[r].needs_nominal)
       throw doe.responses[r].error(
-          "compares bodies with the base's own, of which there are others while `structure.cells` changes");
+          "compares bodies with those of the base, and their number varies with `structure.cells`. Remove "
+          "the "
+          "response, or that factor");
 }
 
 /// Returns the values of the factors that reproduce the base.
@@ -149,8 +155,9 @@ std::vector<double> base_of(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     if (std::isnan(columns.bases[k]))
       throw columns.nodes[k].error(
-          "has no value that is the base, from which `one_at_a_time` starts: the base leaves the number out, "
-          "or holds several; write it into the base, or give `add: true` or `scale: true`");
+          "`one_at_a_time` starts from the base, which has no single value here. Add the number to the base, "
+          "or "
+          "give `add: true` or `scale: true`");
   return columns.bases;
 }
 
@@ -161,7 +168,7 @@ optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::
   optim::SamplePlan samples =
       doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
   if (samples.size() > static_cast<std::uint64_t>(max_samples))
-    throw doe.method.node.error(fmt::format("{:.3g} samples are too many; at most {}",
+    throw doe.method.node.error(fmt::format("{:.3g} samples are too many. Give at most {}",
                                             static_cast<double>(samples.size()), max_samples));
   return samples;
 }
@@ -176,7 +183,7 @@ std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, co
 
 void check_count(const DoeFile& doe, std::size_t factors, std::size_t responses) {
   if (factors + responses > most_columns)
-    throw doe.root.error(fmt::format("{} factors and {} responses are more than a table can hold; at most {}",
+    throw doe.root.error(fmt::format("{} factors and {} responses are too many for a table. Give at most {}",
                                      factors, responses, most_columns));
 }
 
@@ -184,13 +191,15 @@ void check_columns(const DoeFile& doe, const Columns& columns, const std::vector
   for (std::size_t r = 0; r < responses.size(); ++r)
     for (const optim::Factor& factor : columns.factors)
       if (targets::lower_case(factor.name) == targets::lower_case(responses[r].name))
-        throw doe.responses[r].error("is the name of a factor too; give that one a `name`");
+        throw doe.responses[r].error("a factor has the same name. Give the factor another `name`");
 }
 
 void check_model(const DoeFile& doe, const SweepBase& base) {
   if (!base.target || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
-  throw doe.root.error(fmt::format("a {} is searched with `model: {}` (or `bullet`, with the physics run)",
-                                   base.target->kind->name, to_string(base.target->kind->model)));
+  throw doe.root.error(
+      fmt::format("a search for a {} needs another model. Give `model: {}`, or `rigid_body` for the "
+                  "simulation",
+                  base.target->kind->name, to_string(base.target->kind->model)));
 }
 
 /// Rejects keys of the sweep that only designs allow.
@@ -198,18 +207,21 @@ void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
   if (!base.target) return;
   if (doe.goal)
     throw doe.root.optional("goal")->error(
-        "measures designs; the base is a target, whose search is measured by its own goal");
+        "only applies to designs, and the base is a target, which has a goal. Remove the key");
   if (doe.from_base)
     throw doe.root.optional("start")->error(
-        "is for designs; the base is a target, whose search finds its own states");
+        "only applies to designs, and the base is a target. Remove the key");
 }
 
 /// Rejects keys of the sweep that only sheets allow.
 void check_bodies(const DoeFile& doe, const SweepBase& base) {
   if (!base.has_bodies()) return;
-  if (doe.goal) throw doe.root.optional("goal")->error("measures sheets; the base is a design of bodies");
+  if (doe.goal)
+    throw doe.root.optional("goal")->error(
+        "only applies to sheets, and the base is a design of bodies. Remove the key");
   if (doe.from_base)
-    throw doe.root.optional("start")->error("is for sheets; samples of a design of bodies start from rest");
+    throw doe.root.optional("start")->error(
+        "only applies to sheets, and the base is a design of bodies. Remove the key");
 }
 
 /// Reads a goal that measures the distance of any state from it.
@@ -219,8 +231,9 @@ Target read_goal(const std::string& file) {
   std::vector<std::string_view> kinds;
   for (const GoalKind* kind : goal_kinds())
     if (!kind->measures.empty()) kinds.push_back(kind->name);
-  throw InvalidInput(fmt::format("the target is not a {}", fmt::join(kinds, " or ")),
-                     {file, 0, 0, "target.kind"});
+  throw InvalidInput(
+      fmt::format("the goal of a sweep has another kind. Give a target of kind {}", fmt::join(kinds, " or ")),
+      {file, 0, 0, "target.kind"});
 }
 
 /// Returns the ends of a factor's values; for a normal distribution its mean.
@@ -269,7 +282,8 @@ void check_exact(const SweepPlan& plan) {
     why = exact.why;
   }
   if (!why.empty())
-    throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");
+    throw plan.doe.root.error(why +
+                              ". Give `model: equilibrium` or `rigid_body`, which need no exact family");
 }
 
 SweepBase read_base_of(const DoeFile& doe, const targets::DocumentChanges& changes) {

@@ -255,7 +255,7 @@ struct SweepTable::Lock {
       : descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0) return;
     close(descriptor);
-    throw InvalidInput("another program is writing a sweep into this folder; wait for it, or give another -o",
+    throw InvalidInput("another program is writing a sweep into this folder. Wait for it, or give another -o",
                        {folder});
   }
   ~Lock() {
@@ -284,7 +284,7 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
     if (is_there) check_samples(plan);
     if (is_there) find_done(plan);
     if (count_ + damaged_ > 0 && !resume)
-      throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
+      throw InvalidInput(fmt::format("already exists, with {} of {} samples. Continue with --resume, or give "
                                      "another -o",
                                      count_, plan.size()),
                          {file_});
@@ -312,7 +312,7 @@ void SweepTable::fail() const {
                                    sqlite3_errmsg(database_), count_),
                        {file_});
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    throw InvalidInput("is not the table of a sweep, or is damaged; remove it, or give another -o", {file_});
+    throw InvalidInput("is not the table of a sweep, or is damaged. Remove it, or give another -o", {file_});
   throw InvalidInput(sqlite3_errmsg(database_), {file_});
 }
 
@@ -346,7 +346,7 @@ void SweepTable::check(const SweepIdentity& identity) const {
   while (all && all.step()) there.emplace_back(all.text(0), all.text(1));
   const std::string what = difference(there, identity);
   if (!what.empty())
-    throw InvalidInput("is the table of another sweep: " + what + " is not the same; give another -o",
+    throw InvalidInput("is the table of another sweep: " + what + " is not the same. Give another -o",
                        {file_});
 }
 
@@ -415,7 +415,7 @@ void SweepTable::each_row(const std::function<void(const SampleRow&, bool is_who
     row.sample = all.integer(column++);
     if (row.sample < next || row.sample >= static_cast<std::int64_t>(done_.size()))
       throw InvalidInput(
-          "is damaged: it holds samples that this sweep has not; remove it, or give another -o", {file_});
+          "is damaged: it holds samples that this sweep has not. Remove it, or give another -o", {file_});
     next = row.sample + 1;
     for (double& value : row.factors) value = all.number(column++);
     for (double& value : row.responses) value = all.number(column++);
@@ -432,14 +432,14 @@ void SweepTable::read(const std::function<void(const SampleRow&)>& see) const {
     if (!done_[static_cast<std::size_t>(row.sample)]) return;
     if (!is_whole)
       throw InvalidInput(
-          fmt::format("is damaged: the row of sample {} was changed meanwhile; continue with --resume",
+          fmt::format("is damaged: the row of sample {} was changed meanwhile. Continue with --resume",
                       row.sample),
           {file_});
     ++seen;
     see(row);
   });
   if (seen != count_)
-    throw InvalidInput(fmt::format("is damaged: {} of {} rows were lost meanwhile; continue with --resume",
+    throw InvalidInput(fmt::format("is damaged: {} of {} rows were lost meanwhile. Continue with --resume",
                                    count_ - seen, count_),
                        {file_});
 }

@@ -26,8 +26,8 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
   Circle c{0, std::atan2(right.y(), right.x()), sector[0], sector[1]};
   const auto [low, high] = psi_interval(c.a, c.b);
   if (!(low < high))
-    throw InvalidInput("no bodies can stand round vertex [" + std::to_string(i) + ", " + std::to_string(j) +
-                       "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
+    throw InvalidInput("there is no room for bodies round vertex [" + std::to_string(i) + ", " +
+                       std::to_string(j) + "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
                        number_text(to_degrees(c.b)) +
                        " deg are too uneven, within some 50 to 130 deg they fit");
   c.psi = (low + high) / 2;

@@ -41,7 +41,7 @@ void check_facet(const QuadMesh& m, int i, int j) {
       throw InvalidInput(name_of("facet", i, j) + " has corners that are not finite");
     if (!(cross(in, out) > 0))
       throw InvalidInput(name_of("facet", i, j) +
-                         " is turned over or not convex; its corners must turn left all the way round");
+                         " is reversed or not convex. Give its corners counter-clockwise");
   }
 }
 

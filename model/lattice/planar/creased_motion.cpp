@@ -143,8 +143,8 @@ void reject_bent_rows(const LinkageDrive& drive, const Linkage& linkage,
         if (!(std::abs(state[body].p[part] - state[row.front()].p[part]) <=
               straight_row * linkage.size.edge_mm))
           throw InvalidInput("plates normal to " + std::string(to_string(drive.axis)) +
-                                 " would hold rows straight that bend as this sheet folds; allowed: "
-                                 "kind: hinge, or --model equilibrium",
+                                 " would keep rows straight that bend when this sheet folds. Give `kind: "
+                                 "hinge`, or --model equilibrium",
                              {"", 0, 0, "drive.axis"});
   }
 }

@@ -173,17 +173,17 @@ void check_pair(const PlanarGraph& graph, int first, int second, double near) {
   for (const int end : {b.from, b.to})
     if (end != a.from && end != a.to && distance_to_wall(graph.vertices[end], p, q) <= near)
       throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, first) +
-                         "; split that wall there");
+                         ". Split that wall there");
   for (const int end : {a.from, a.to})
     if (end != b.from && end != b.to && distance_to_wall(graph.vertices[end], r, s) <= near)
       throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, second) +
-                         "; split that wall there");
+                         ". Split that wall there");
   if (share_an_end(a, b)) return;
   const bool apart = (cross(q - p, r - p) > 0) == (cross(q - p, s - p) > 0) ||
                      (cross(s - r, p - r) > 0) == (cross(s - r, q - r) > 0);
   if (!apart)
     throw InvalidInput(name_of_edge(graph, first) + " crosses " + name_of_edge(graph, second) +
-                       "; walls may meet at vertices only");
+                       ". Split both at a vertex: walls may only meet at vertices");
 }
 
 void check_edges(const PlanarGraph& graph) {
@@ -208,7 +208,7 @@ void check_one_piece(const PlanarGraph& graph) {
   for (const GraphEdge& e : graph.edges) pieces.unite(e.from, e.to);
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
     if (pieces.find(v) != pieces.find(0))
-      throw InvalidInput("the walls do not hang together: no way leads from " + name(graph, 0) + " to " +
+      throw InvalidInput("the walls are not connected: there is no path from " + name(graph, 0) + " to " +
                          name(graph, v));
 }
 
@@ -280,7 +280,8 @@ void validate(const PlanarGraph& graph) {
     throw InvalidInput("a lattice needs at least two vertices and a wall between them");
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
     if (!graph.vertices[v].allFinite())
-      throw InvalidInput("vertex " + std::to_string(v) + " has a coordinate that is no finite number");
+      throw InvalidInput("vertex " + std::to_string(v) +
+                         " has a coordinate that is not finite. Give finite numbers");
   check_edges(graph);
   NearEdges near(graph);
   const double distance = touching * near.mean_length();

@@ -114,7 +114,7 @@ PlanarGraph trimmed(const PlanarGraph& graph, const std::function<bool(const Vec
     if (std::all_of(face.vertices.begin(), face.vertices.end(),
                     [&](int v) { return inside(graph.vertices[v]); }))
       kept.push_back(&face);
-  if (kept.empty()) throw InvalidInput("no cell of the lattice lies inside the outline; use smaller cells");
+  if (kept.empty()) throw InvalidInput("no cell of the lattice lies inside the outline. Use smaller cells");
   return of_faces(graph, largest_piece(graph, kept));
 }
 

@@ -218,8 +218,8 @@ bool keeps_rows_straight(const ParallelDrawing& y, Axis axis, const GrippedRows&
 void reject_curved_rows(const LinkageDrive& drive, const ParallelDrawing& y) {
   if (keeps_rows_straight(y, drive.axis, drive.gripped)) return;
   throw InvalidInput("plates normal to " + std::string(to_string(drive.axis)) +
-                         " would hold rows straight that curve in this panel's exact motion; allowed: "
-                         "kind: hinge, or --model equilibrium",
+                         " would keep rows straight that curve in this panel's motion. Give `kind: hinge`, "
+                         "or --model equilibrium",
                      {"", 0, 0, "drive.axis"});
 }
 

@@ -67,8 +67,8 @@ void check_hang_together(const PlanarStructure& s, const std::vector<LatticeCell
   for (std::size_t c = 1; c < cells.size(); ++c)
     if (pieces.find(static_cast<int>(c)) != pieces.find(0))
       throw InvalidInput("cells " + name(0) + " and " + name(c) +
-                         " do not hang together by walls; a vertex alone "
-                         "lets them turn against each other");
+                         " are not connected by a wall. Connect them: at a single vertex they can turn "
+                         "relative to each other");
 }
 
 }  // namespace

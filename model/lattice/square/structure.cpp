@@ -45,7 +45,7 @@ void check_bounding_box(const std::vector<Cell>& cells) {
   if (columns >= max_lattice_vertices || rows >= max_lattice_vertices ||
       (columns + 1) * (rows + 1) > max_lattice_vertices)
     throw InvalidInput("the cells span " + std::to_string(columns) + " x " + std::to_string(rows) +
-                       " from [0, 0]; their lattice may hold at most 4 million vertices");
+                       " from [0, 0]. Give cells whose lattice has at most 4 million vertices");
 }
 
 void check_cells(const std::vector<Cell>& cells) {
@@ -53,7 +53,7 @@ void check_cells(const std::vector<Cell>& cells) {
   if (cells.size() > max_cells) throw InvalidInput("more than a million cells");
   for (const Cell& c : cells)
     if (c.i < 0 || c.j < 0)
-      throw InvalidInput("cell " + to_string(c) + " has a negative index; the lattice starts at [0, 0]");
+      throw InvalidInput("cell " + to_string(c) + " has a negative index. Give indices from [0, 0]");
   check_bounding_box(cells);
   const auto twice = std::adjacent_find(cells.begin(), cells.end());
   if (twice != cells.end()) throw InvalidInput("cell " + to_string(*twice) + " is given twice");

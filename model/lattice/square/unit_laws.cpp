@@ -20,7 +20,7 @@ HingeParameters mean(const HingeParameters& a, const HingeParameters& b) {
 
 InvalidInput conflict(const Structure& s, int first, int second) {
   return InvalidInput("cells " + to_string(s.cells[first]) + " and " + to_string(s.cells[second]) +
-                      " disagree about the wall they share; make the tuples agree or give `shared: average`");
+                      " disagree about the wall between them. Give equal values, or `shared: average`");
 }
 
 }  // namespace

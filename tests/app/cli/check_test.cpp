@@ -263,8 +263,8 @@ TEST(Check, RefusesSheetsThatTakeMoreMemoryThanIsFreeAndSaysSo) {
   const Outcome refused =
       kinetix_opt("check " + scratch.write("in.yaml", square_of(600)), "ulimit -v 700000; ");
   EXPECT_EQ(refused.code, 2) << refused.out;
-  EXPECT_THAT(refused.err, HasSubstr("checking 361201 bodies takes about 578 MB of memory, and "));
-  EXPECT_THAT(refused.err, HasSubstr("MB are free. Take fewer cells"));
+  EXPECT_THAT(refused.err, HasSubstr("checking 361201 bodies needs about 578 MB of memory, and "));
+  EXPECT_THAT(refused.err, HasSubstr("MB are free. Give fewer cells"));
   EXPECT_EQ(kinetix_opt("check " + scratch.write("small.yaml", square_of(20)), "ulimit -v 700000; ").code, 0);
 }
 

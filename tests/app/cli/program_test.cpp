@@ -79,7 +79,7 @@ TEST(Program, NeverReplacesItsOwnInput) {
     const Outcome run = kinetix_opt(command + " --quiet");
     EXPECT_EQ(run.code, 2) << command << run.out;
     EXPECT_THAT(run.err, HasSubstr("design.yaml: results in ")) << command;
-    EXPECT_THAT(run.err, HasSubstr("would replace this file; give another folder: -o DIR")) << command;
+    EXPECT_THAT(run.err, HasSubstr("would replace this file. Give another folder: -o DIR")) << command;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
   EXPECT_EQ(text_of(goal), std::string("# by hand\n") + bow);
@@ -133,7 +133,7 @@ TEST(Program, SaysWhichFileAResultNeeds) {
   EXPECT_THAT(kinetix_opt("check " + found).out, HasSubstr("valid design 'bow'"));
   const Outcome searched = kinetix_opt(result);
   EXPECT_EQ(searched.code, 2);
-  EXPECT_THAT(searched.err, HasSubstr("this is a result"));
+  EXPECT_THAT(searched.err, HasSubstr("this file is a result"));
   EXPECT_THAT(searched.err, HasSubstr("give " + found + "/design.yaml"));
   fs::remove(found + "/design.yaml");
   for (const auto& [command, options] : {std::pair("verify ", ""),
@@ -143,7 +143,7 @@ TEST(Program, SaysWhichFileAResultNeeds) {
                                          {"export ", " --format stl"}}) {
     const Outcome lone = kinetix_opt(command + result + options);
     EXPECT_EQ(lone.code, 2) << command;
-    EXPECT_THAT(lone.err, HasSubstr("the design.yaml that was written with it, which is not beside it"))
+    EXPECT_THAT(lone.err, HasSubstr("the design.yaml that was written with it, which is not in its folder"))
         << command;
   }
 }
@@ -289,7 +289,7 @@ TEST(Program, RefusesOptionsOfASearchBeforeACommand) {
   for (const char* given : {"--no-verify", "--monte-carlo 5", "goal.yaml"}) {
     const Outcome run = kinetix_opt(std::string(given) + " verify " + design + out);
     EXPECT_EQ(run.code, 2) << given;
-    EXPECT_THAT(run.err, HasSubstr("is for a search and not for verify (see --help)"));
+    EXPECT_THAT(run.err, HasSubstr("only applies to a search, not to verify. Remove it (see --help)"));
     EXPECT_THAT(run.err, StartsWith(std::string(given).substr(0, 9)));
   }
   EXPECT_FALSE(fs::exists(scratch / "out"));

@@ -180,8 +180,8 @@ TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
     read_text(oblong + hinge + "6}\n");
     FAIL() << "no error";
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("a gap of 6 mm is longer than wall"));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("5 mm; allowed: below that"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("the gap of 6 mm does not fit on wall"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("5 mm long. Give a smaller gap_mm"));
   }
 }
 
@@ -241,7 +241,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
       {graph(square, round + ", [2, 2]"), 2, 12, "structure", {"from vertex 2 to 2 has no length"}},
       {graph(square + ", [0, 0]", round + ", [0, 4]"), 2, 12, "structure", {"has no length"}},
       {graph(square, round + ", [1, 0]"), 2, 12, "structure", {"from vertex 1 to 0 is there twice"}},
-      {graph(square, "[0, 1], [2, 3]"), 2, 12, "structure", {"do not hang together"}},
+      {graph(square, "[0, 1], [2, 3]"), 2, 12, "structure", {"are not connected"}},
       {graph(square + ", [4.5, 0], [4.5, -3]", round + ", [4, 5]"),
        2,
        12,
@@ -278,13 +278,13 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        2,
        57,
        "structure.cells[2]",
-       {"cell [0, 0] is given twice"}},
+       {"cell [0, 0] is listed twice"}},
       {structure("lattice: rhombus, cells: [[0, 0], [1, 1]]"),
        2,
        38,
        "structure.cells",
-       {"cells [0, 0] and [1, 1]", "hang together by walls"}},
-      {structure("lattice: honeycomb, cells: [[0, 0], [3, 3]]"), 2, 40, "structure.cells", {"hang together"}},
+       {"cells [0, 0] and [1, 1]", "are not connected by a wall"}},
+      {structure("lattice: honeycomb, cells: [[0, 0], [3, 3]]"), 2, 40, "structure.cells", {"are not connected"}},
       {honeycomb + "design: {pattern: {even: {P: [0.5, 0.5, 0.5, 0.5]}}}\n",
        3,
        10,
@@ -294,12 +294,12 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        3,
        41,
        "drive.grip",
-       {"rectangle of squares", "plates grip the rim"}},
+       {"rectangle of squares", "plates then grip the boundary"}},
       {honeycomb + "design: {hinges: [{wall: [3, 0]}]}\n",
        3,
        26,
        "design.hinges[0].wall",
-       {"runs the other way; write [0, 3]"}},
+       {"runs the other way. Write [0, 3]"}},
       {honeycomb + "design: {hinges: [{wall: [0, 1]}]}\n",
        3,
        26,
@@ -311,7 +311,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        3,
        35,
        "design.hinges[1]",
-       {"named twice, first in line 3"}},
+       {"listed twice, first in line 3"}},
       {honeycomb + "drive: {kind: hinge, wall: [0, 1], angle_deg: 20}\n",
        3,
        28,
@@ -340,8 +340,8 @@ TEST(LatticeSection, NamesTheDrawingThatItCannotRead) {
   folder.write("circle.svg", "<svg><circle r='5'/></svg>");
   folder.write("curved.svg", "<svg><path d='M0 0 Q1 1 2 0'/></svg>");
   const std::pair<BadInput, std::string> cases[] = {
-      {{"arc.dxf", 6, 1, "", {"walls are straight: ARC is not read"}}, "arc.dxf"},
-      {{"circle.svg", 0, 0, "", {"has a circle; walls are straight"}}, "circle.svg"},
+      {{"arc.dxf", 6, 1, "", {"ARC is not supported"}}, "arc.dxf"},
+      {{"circle.svg", 0, 0, "", {"has a circle. Draw walls as line"}}, "circle.svg"},
       {{"curved.svg", 0, 0, "", {"the command `Q`"}}, "curved.svg"},
       {{"nothing.dxf", 0, 0, "", {"no such file"}}, "nothing.dxf"},
   };

@@ -97,7 +97,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   model::QuadMesh mesh = mesh_of(3, 3, 2);
   const std::string good = fold_text(mesh, 9);
   expect_refused("{", "is not JSON");
-  expect_refused("{\"vertices_coords\": [[1e999, 0]]}", "beyond what a number can hold");
+  expect_refused("{\"vertices_coords\": [[1e999, 0]]}", "too large");
   expect_refused("[]", "its JSON is not an object");
   expect_refused(replaced(good, "faces_vertices", "faces"), "it has no `faces_vertices`");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "face 0 has 3 corners");
@@ -110,8 +110,8 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   const std::size_t at = unlike.find("edges_assignment");
   for (std::size_t k = at; k < unlike.size(); ++k)
     if (unlike[k] == 'M') unlike[k] = 'V';
-  expect_refused(unlike, "does not fold: of its two pairs of opposite creases");
-  expect_refused(replaced(good, "\"V\"", "\"U\""), "is neither mountain nor valley");
+  expect_refused(unlike, "does not fold. Give its opposite creases");
+  expect_refused(replaced(good, "\"V\"", "\"U\""), "is inside and neither mountain nor valley");
 }
 
 TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
@@ -122,8 +122,7 @@ TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
   ASSERT_EQ(inner.size(), 4u);
   const bool level = text[inner[1]] != text[inner[2]];
   std::swap(text[inner[level ? 1 : 0]], text[inner[level ? 2 : 3]]);
-  expect_refused(text,
-                 "vertex 4 does not fold: the mountain and the valley of its unlike pair must change places");
+  expect_refused(text, "vertex 4 does not fold. Exchange the mountain and the valley of its unequal pair");
 }
 
 TEST(OrigamiFile, KnowsItsUnit) {
@@ -155,8 +154,9 @@ TEST(OrigamiFile, FramesInheritFromTheirParents) {
   EXPECT_EQ(unit(cm, inherits), 10);
   EXPECT_EQ(unit(cm, inherits + "\"frame_unit\": \"mm\", "), 1);
   expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 1, "),
-                 "frame 1 inherits from one that is not there, or from itself");
-  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "), "frame 1 inherits from one");
+                 "frame 1 inherits from a missing frame, from itself");
+  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "),
+                 "frame 1 inherits from a missing frame");
 }
 
 TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
@@ -167,7 +167,7 @@ TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
     for (int k = 0; k < depth; ++k) text += close;
     return text;
   };
-  const std::string too_deep = "is nested too deep; give a FOLD file of at most 64 lists in one another";
+  const std::string too_deep = "the lists are nested too deep. Give a FOLD file of at most 64 levels";
   for (const int depth : {64, 100'000, 1'000'000}) {  // plus one level for the file itself
     expect_refused("{\"a\": " + nested(depth, "[", "]") + "}", too_deep);
     expect_refused("{\"a\": " + nested(depth, "{\"a\": ", "}") + "}", too_deep);
@@ -198,7 +198,7 @@ TEST(OrigamiFile, IsRefusedWhereFramesInheritOverTooMany) {
     return "{\"file_frames\": [" + frames + "]}";
   };
   expect_refused(chain(20), "it has no `vertices_coords`");
-  for (const int length : {100, 100'000}) expect_refused(chain(length), "or over more than 64 others");
+  for (const int length : {100, 100'000}) expect_refused(chain(length), "Give at most 64 ancestors");
 }
 
 // Four triangles in a ring around vertex 4 are refused as triangles. Five quadrilaterals are refused at the vertex

@@ -294,7 +294,7 @@ std::vector<Json> files_of(const std::string& list) {
   if (list == "doe")
     return {sweep(R"({"path": [{"path": "a"}], "range": [0, 1]})"),
             sweep(R"({"path": {"path": "a"}, "range": [0, 1]})"),
-            sweep(R"({"path": "a", "normal": {"mean": 0, "sd": 1}})"),
+            sweep(R"({"path": "a", "normal": {"mean": 0, "std_dev": 1}})"),
             sweep(R"({"path": "a", "values": [1]})")};
   if (list == "assembly") {
     const Json still = two_bodies();

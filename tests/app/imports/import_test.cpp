@@ -89,9 +89,9 @@ TEST(Import, TakesMaterialsAndNamesOfObj) {
   EXPECT_EQ(hinge["name"], "joint");
   EXPECT_EQ(hinge["bodies"], Json({"left_wall", "right_wall"}));
   EXPECT_EQ(hinge["axis"], Json({0, 0, 1}));
-  EXPECT_EQ(
-      found["unit"],
-      "millimetres, guessed: the file does not say, and the model is 18 of them long; --unit says otherwise");
+  EXPECT_EQ(found["unit"],
+            "millimetres, inferred: the file has no unit, and the model is 18 of them long. Give --unit for "
+            "another one");
   EXPECT_TRUE(fs::exists(scratch / "out/parts/left_wall.stl"));
   EXPECT_EQ(kinetix_opt("check " + (scratch / "out/design.yaml").string()).code, 0);
 }
@@ -200,7 +200,7 @@ TEST(Import, OfTwoFilesInCommonCoordinatesTakesTheUnitThatOneOfThemSays) {
   const std::string soft = scratch.write("soft.3mf", threemf_in_cm(block()));
   const Json found = imported(scratch, "--hard " + hard + " --soft " + soft);
   EXPECT_EQ(found["hinges"].size(), 1u);
-  EXPECT_EQ(found["unit"], "10 mm, as the file says");
+  EXPECT_EQ(found["unit"], "10 mm, from the file");
   EXPECT_THAT(text_of(scratch / "out/design.yaml"), HasSubstr("position_mm: [-47.5, 0, 0]"));
 }
 
@@ -237,8 +237,8 @@ TEST(Import, SaysWhichMaterialsThereAreWhereNoneIsSaidToBeSoft) {
   const std::string colours =
       Obj().add("a", "red", left()).add("b", "red", right()).add("c", "blue", block()).text();
   expect_refused("pair.obj", colours,
-                 "does not say which of its materials is soft: `blue`, `red`; name it with --soft-material");
-  expect_refused("pair.obj", colours, "no material, colour or part is called `green`: `blue`, `red`",
+                 "the soft material is not clear: `blue`, `red`. Name it with --soft-material");
+  expect_refused("pair.obj", colours, "no material, colour or part has the name `green`: `blue`, `red`",
                  "--soft-material green");
   const Scratch scratch;
   EXPECT_EQ(
@@ -250,11 +250,11 @@ TEST(Import, SaysWhichMaterialsThereAreWhereNoneIsSaidToBeSoft) {
 
 TEST(Import, RefusesWhatIsNoModel) {
   const Scratch scratch;
-  expect_refused(scratch, "", "import needs a model, or --hard FILE and --soft FILE");
+  expect_refused(scratch, "", "the model is missing. Give MODEL, or --hard FILE and --soft FILE");
   expect_refused(scratch, (scratch / "none.stl").string(), "none.stl");
   expect_refused(scratch, (scratch / "none.3d").string(), "none.3d: no such file");
   expect_refused(scratch, scratch.path(), "is a folder without vertices.txt");
-  expect_refused("model.doc", "x", "has no known model format");
+  expect_refused("model.doc", "x", "the ending is not that of a model");
   expect_refused("model.3mf", "no zip", "is not a 3MF file, or is damaged");
   expect_refused("model.step", "ISO-10303-20;", "is not a STEP file");
   expect_refused(
@@ -430,7 +430,7 @@ TEST(Import, NamesThatLeadElsewhereAreRefusedInItsDesign) {
   const Outcome run = kinetix_opt("simulate " + (scratch / "out/design.yaml").string() + " --quiet -o " +
                                   (scratch / "results").string());
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("is not a usable name"));
+  EXPECT_THAT(run.err, HasSubstr("the name cannot be the name of a folder"));
   EXPECT_FALSE(fs::exists(scratch / "left.stl"));
 }
 
@@ -457,7 +457,8 @@ TEST(Import, IsExportedAndImportedAgain) {
   const Outcome refused =
       kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("`step` only applies to sheets, and this is a design of bodies. Give stl, 3mf, glb"));
 }
 
 /// Parts of a sheet whose loops do not close are not exported folded if the drive ends before that fold.
@@ -476,11 +477,11 @@ hinge: {kind: block, material: tango, gap_mm: 3}
   const Outcome folded = kinetix_opt(command + " --state folded --quiet");
   EXPECT_EQ(folded.code, 2);
   EXPECT_THAT(folded.err,
-              HasSubstr("--state folded: it does not come to its drive's goal: `hinge_1` turns by"));
+              HasSubstr("--state folded: it does not reach the goal of its drive: `hinge_1` turns by"));
   EXPECT_FALSE(fs::exists(scratch / "parts"));
   const Outcome flat = kinetix_opt(command);
   EXPECT_EQ(flat.code, 0) << flat.err;
-  EXPECT_THAT(flat.out, HasSubstr("it does not come to its drive's goal"));
+  EXPECT_THAT(flat.out, HasSubstr("it does not reach the goal of its drive"));
 }
 
 TEST(Import, IsSimulatedInEquilibriumAndVerified) {
@@ -511,7 +512,7 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   EXPECT_THAT(reported.out, HasSubstr(fmt::format("energy     {:.3g} N mm", k_turn * angle * angle / 2)));
   const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
   EXPECT_EQ(drives.code, 2);
-  EXPECT_THAT(drives.err, HasSubstr("--drives compares drives of sheets"));
+  EXPECT_THAT(drives.err, HasSubstr("--drives only applies to sheets"));
   const std::string page = text_of(scratch / "run/report.html");
   EXPECT_THAT(page, HasSubstr(R"("name":"left_wall")"));
   EXPECT_THAT(page, HasSubstr(R"("meshes":{"bodies":[{"points":")"));
@@ -584,7 +585,7 @@ TEST(Import, SaysHowToReadASheetWithFilmsOfTheWallsMaterial) {
 
 // Regression: the hinge of a repeated part was twice as stiff, without a message.
 TEST(Import, RefusesTheSamePartTwice) {
-  const std::string twice = "has the same part twice in one place";
+  const std::string twice = "the same part is twice in one place";
   const auto walls = [] { return Obj().add("left wall", "PLA", left()).add("right wall", "PLA", right()); };
   expect_refused("soft.obj", walls().add("joint", "TPU", block()).add("copy", "TPU", block()).text(), twice);
   expect_refused("hard.obj", walls().add("joint", "TPU", block()).add("copy", "PLA", left()).text(), twice);

@@ -188,7 +188,7 @@ TEST(TileImport, AToleranceWithoutPosesIsRefused) {
   folder.scratch.write("out/design.yaml", text_of(folder.design()) + "tolerance: {pull: 0.1}\n");
   const Outcome run = kinetix_opt("check " + folder.design());
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("tolerance.pull: is of bodies that are pulled to `drive.poses`"));
+  EXPECT_THAT(run.err, HasSubstr("tolerance.pull: only applies to bodies that are pulled to `drive.poses`"));
 }
 
 TEST(TileImport, JoinsByBallsWhereOneFaceHolds) {
@@ -204,7 +204,7 @@ TEST(TileImport, JoinsByBallsWhereOneFaceHolds) {
   EXPECT_THAT(
       kinetix_opt("simulate " + folder.design() + " --theta-deg 10 -o " + (folder.scratch / "run").string())
           .err,
-      HasSubstr("--theta-deg turns a hinge, and here bodies are pulled"));
+      HasSubstr("the drive pulls bodies, and --fold-angle-deg needs a hinge"));
 }
 
 TEST(TileImport, SaysWhereAFileIsWrong) {
@@ -214,20 +214,20 @@ TEST(TileImport, SaysWhereAFileIsWrong) {
     folder.scratch.write(std::string("squares/") + file, text);
     folder.expect_refused(says);
   };
-  with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: is no number");
-  with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: is no number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: this is not a number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: this is not a number");
   with("vertices.txt", "0 0 0 1 0 0 1 1\n", "vertices.txt:1:1: has 8 numbers");
-  with("vertices.txt", "\n\n", "vertices.txt: has no tiles");
+  with("vertices.txt", "\n\n", "vertices.txt: the file has no tiles");
   with("constraints.txt", "0 1 1 0 4\n",
-       "constraints.txt:1:9: face 4 is not 1 (bottom), 2 (top) or 3 (both)");
+       "constraints.txt:1:9: face 4 is not known. Give 1 (bottom), 2 (top) or 3 (both)");
   with("constraints.txt", "0 1 1\n", "constraints.txt:1:1: has 3 numbers");
-  with("constraints.txt", "0 1 1 0.5 3\n", "constraints.txt:1:7: is no whole number");
-  with("constraints.txt", "0 1 9 0 3\n", "squares: joint 1: there is no tile 9");
-  with("target.txt", "0 0 0 1 0 0 1 1 0\n", "target.txt: has 1 tiles; vertices.txt has 2");
+  with("constraints.txt", "0 1 1 0.5 3\n", "constraints.txt:1:7: this is not a whole number");
+  with("constraints.txt", "0 1 9 0 3\n", "squares: joint 1: the file has no tile 9");
+  with("target.txt", "0 0 0 1 0 0 1 1 0\n", "target.txt: the file has 1 tiles, and vertices.txt has 2");
   with("target.txt", "0 0 0 1 0 0 1 1 0\n0 0 0 1 0 0 1 1 0\n",
-       "target.txt: tile 1 has 3 corners; in vertices.txt it has 4");
+       "target.txt: tile 1 has 3 corners, and 4 in vertices.txt");
   const TileFolder folder(sheet);
-  folder.expect_refused("--hard is of models with hard and soft parts", "--hard a.stl");
+  folder.expect_refused("--hard only applies to models with hard and soft parts", "--hard a.stl");
   folder.expect_refused("--kerf-mm is -1 mm", "--kerf-mm -1");
   folder.expect_refused("tile 1 is narrower than the cuts", "--kerf-mm 30");
   fs::remove(folder.scratch / "squares/constraints.txt");
@@ -245,11 +245,12 @@ TEST(TileImport, RefusesDrivesThatContradictThemselves) {
     EXPECT_EQ(run.code, 2) << text;
     EXPECT_THAT(run.err, HasSubstr(says)) << text;
   };
-  refused("drive: {expand: 2, angle_deg: 20}\n", "drive.angle_deg: cannot stand beside `expand`");
-  refused("drive: {expand: 2, poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n", "cannot stand beside `poses`");
+  refused("drive: {expand: 2, angle_deg: 20}\n", "drive.angle_deg: cannot be combined with `expand`");
+  refused("drive: {expand: 2, poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n",
+          "cannot be combined with `poses`");
   refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n",
-          "has 3 poses; the structure has 2 bodies");
-  refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,2,0,0,0]]}\n", "has a quaternion of length 2");
+          "has 3 poses, and the structure has 2 bodies");
+  refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,2,0,0,0]]}\n", "the quaternion has length 2");
   refused("drive: {expand: 0}\n", "drive.expand");
   refused("drive: {hinge: joint_1}\n", "angle_deg");
 }

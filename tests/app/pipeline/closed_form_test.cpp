@@ -103,7 +103,7 @@ TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
   EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
   EXPECT_EQ(reported.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
   EXPECT_THAT(reported.result["plan"]["why"].dump(), HasSubstr("walls touch at theta 25.13 deg already"));
-  EXPECT_THAT(reported.words, HasSubstr("overlap at theta 25.126 deg, on the way to 28.000 deg"));
+  EXPECT_THAT(reported.words, HasSubstr("overlap at 25.1 deg, before the fold angle 28 deg"));
   EXPECT_EQ(reported.result["certified"]["covers_theta"], false);
   EXPECT_THAT(reported.words, HasSubstr("is outside the collision-free range"));
   EXPECT_EQ(report_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
@@ -159,7 +159,8 @@ TEST(Certify, FindsWallsThatOverlapAsBuilt) {
       "14}}\ndesign:\n  theta_deg: 15\n  hinges:\n" +
           hinges,
       "exact");
-  EXPECT_THAT(reported.words, HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap as built"));
+  EXPECT_THAT(reported.words,
+              HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap in the flat sheet"));
   const Json& certified = reported.result["certified"];
   EXPECT_EQ(certified["covers_theta"], false);
   EXPECT_EQ(certified["design"]["high"]["contact_rad"], 0.0);
@@ -176,7 +177,7 @@ TEST(Certify, FailsGoalsWhoseWallsOverlapAsBuilt) {
   const app::Run run = run_goal(*app::read_target(file).goal, {.verify = false});
   ASSERT_TRUE(run.certified && run.certified->designed.overlaps_as_built());
   ASSERT_FALSE(run.met());
-  EXPECT_THAT(run.violations.back(), HasSubstr("overlap as built"));
+  EXPECT_THAT(run.violations.back(), HasSubstr("overlap in the flat sheet"));
   const app::Run unproven = run_goal(*app::read_target(file).goal, {.verify = false, .certify = false});
   EXPECT_FALSE(unproven.certified);
   EXPECT_EQ(verdict_of(unproven).met, false) << "as in a sweep";

@@ -202,7 +202,7 @@ TEST(Equilibrium, SaysThatAnAngleTakesThePlaceOfTheFilesDrive) {
   const Outcome run = kinetix_opt("simulate " + file + " --model exact --theta-deg -20 --json -o " +
                                   (scratch / "out").string());
   EXPECT_NEAR(Json::parse(run.out)["metrics"]["theta_rad"].get<double>(), -20 * degree, 1e-12);
-  EXPECT_THAT(run.err, HasSubstr("--theta-deg takes the place of `drive:`"));
+  EXPECT_THAT(run.err, HasSubstr("--fold-angle-deg replaces `drive:`"));
   const Outcome own = kinetix_opt("simulate " + file + " --model exact -o " + (scratch / "own").string());
   EXPECT_THAT(own.err, Not(HasSubstr("drive")));
 }
@@ -327,12 +327,12 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   EXPECT_THAT(exact.err, HasSubstr("--model equilibrium"));
   const Outcome opened = kinetix_opt(command + "--open");
   EXPECT_EQ(opened.code, 2);
-  EXPECT_THAT(opened.err, HasSubstr("--open shows a report, and --drives writes none"));
+  EXPECT_THAT(opened.err, HasSubstr("--open: --drives writes no report"));
   const Outcome flat =
       kinetix_opt("simulate " + scratch.write("f.yaml", "kinetix: 1\nstructure: {cells: [4, 4]}\n") +
                   " --model equilibrium --drives --quiet");
   EXPECT_EQ(flat.code, 2);
-  EXPECT_THAT(flat.err, HasSubstr("folds nowhere"));
+  EXPECT_THAT(flat.err, HasSubstr("the fold angle of the design is 0"));
 }
 
 TEST(Equilibrium, StoppedAmongDrivesComparesThoseTriedAndNamesTheOthers) {
@@ -376,7 +376,7 @@ TEST(Equilibrium, OfRotaryHingesSaysThatItTakesThemAsElastic) {
   const Outcome slack = equilibrium(scratch, start + "hinge: {model: rotary, k_turn: 0}\n");
   EXPECT_EQ(slack.code, 2);
   EXPECT_THAT(slack.err,
-              HasSubstr("hinge.k_turn: 0 is out of range for the elastic model; allowed: a number above 0"));
+              HasSubstr("hinge.k_turn: 0 is out of range for elastic hinges. Give a number above 0"));
 }
 
 TEST(Equilibrium, OfAnOverdrivenPanelStopsAndSaysWhy) {
@@ -489,7 +489,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadDesign{"walls_that_overlap_flat",
                   "structure: {cells: [4, 2], cell_mm: 10, wall_mm: {height: 40}}\n"
                   "design: {theta_deg: 9, hinges: [{wall: [[0, 1], [1, 1]], beta_deg: 85}]}",
-                  "overlap in the flat state; make walls thinner, lower or less tilted"},
+                  "overlap in the flat state. Make walls thinner, lower or less tilted"},
         BadDesign{"a_hinge_inside_a_wall",
                   sheet + "design: {theta_deg: 9, hinges: [{wall: [[0, 1], [1, 1]], t: 0.01}]}",
                   "overlap in the flat state"},

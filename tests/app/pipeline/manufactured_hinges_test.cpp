@@ -164,7 +164,7 @@ TEST(MadeHinges, MayBeOffTheirWall) {
   EXPECT_EQ(checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.3").code, 0);
   EXPECT_EQ(checked("kind: pin, diameter_mm: 1").code, 0);
   EXPECT_THAT(checked("kind: film, material: tango, gap_mm: 2, thickness_mm: 0.2, caps: true").err,
-              HasSubstr("hinge.caps: belongs to pins"));
+              HasSubstr("hinge.caps: only applies to pins"));
 }
 
 TEST(MadeHinges, OfOutlinesAreRefusedTooFarOffTheirWall) {
@@ -184,7 +184,7 @@ TEST(MadeHinges, OfOutlinesAreRefusedTooFarOffTheirWall) {
   EXPECT_EQ(far.code, 2);
   EXPECT_THAT(
       far.err,
-      HasSubstr("variables.offset_mm: a hinge made so in walls of 1.6 mm can sit at most 0.4 mm off"));
+      HasSubstr("variables.offset_mm: this kind of hinge fits in walls of 1.6 mm at most 0.4 mm off"));
 }
 
 TEST(MadeHinges, ThatCannotBeMadeAreRefusedInOneLine) {

@@ -126,10 +126,10 @@ TEST(AsMadeResult, NotesBeforeTheSearchWhatTheUsualProcessCannotPrint) {
       "1], cell_mm: 5}\n";
   const Outcome by_default = checked(curve);
   EXPECT_EQ(by_default.code, 0) << by_default.err;
-  EXPECT_THAT(by_default.out, HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.6 mm"));
+  EXPECT_THAT(by_default.out, HasSubstr("a wall of 0.5 mm is below the minimum of polyjet, 0.6 mm"));
   EXPECT_EQ(checked(curve + "process: polyjet\n").code, 0);
   EXPECT_THAT(checked("target: {kind: surface, shape: cap}\nstructure: {wall_mm: {thickness: 0.3}}\n").out,
-              HasSubstr("a wall of 0.3 mm is less than polyjet prints"));
+              HasSubstr("a wall of 0.3 mm is below the minimum of polyjet"));
 }
 
 TEST(AsMadeResult, TakesLimitsOfOnesOwnPrinter) {
@@ -145,7 +145,7 @@ TEST(AsMadeResult, TakesLimitsOfOnesOwnPrinter) {
   };
   EXPECT_EQ(checked("{base: polyjet, least_wall_mm: 0.5}").code, 0);
   EXPECT_THAT(checked("{base: polyjet, least_wall_mm: 0.7}").out,
-              HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.7 mm"));
+              HasSubstr("a wall of 0.5 mm is below the minimum of polyjet, 0.7 mm"));
   EXPECT_THAT(checked("{least_pin_mm: -1}").err, HasSubstr("process.least_pin_mm"));
   EXPECT_THAT(checked("{clearance_mm: .nan}").err, HasSubstr("process.clearance_mm"));
 }
@@ -199,7 +199,7 @@ TEST(AsMadeResult, SaysWhatCannotBePrinted) {
   EXPECT_EQ(result["as_made"]["can_be_printed"], false);
   EXPECT_EQ(result["as_made"]["holds"], false);
   EXPECT_THAT(result["as_made"]["why"][0].get<std::string>(),
-              HasSubstr("a wall of 0.5 mm is less than polyjet prints"));
+              HasSubstr("a wall of 0.5 mm is below the minimum of polyjet"));
   EXPECT_EQ(result["made_problems"][0]["kind"], "print");
   EXPECT_EQ(result["made_problems"][0]["what"], result["as_made"]["why"][0]);
 }

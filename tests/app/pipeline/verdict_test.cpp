@@ -214,7 +214,7 @@ TEST(Verdict, StandsFirstInTheSummary) {
                                   (scratch / "out").string());
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.out.substr(0, run.out.find('\n')), "handle: goal met, not printable");
-  EXPECT_THAT(run.out, HasSubstr("with blocks a wall of 0.337 mm is less than polyjet prints, 0.6 mm"));
+  EXPECT_THAT(run.out, HasSubstr("with blocks a wall of 0.337 mm is below the minimum of polyjet, 0.6 mm"));
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("--clearance 0.15 leaves the design's own pins as they are"));
   expect_refused(described, "--format stl --process sla --clearance 0.3",
-                 "the design's own pins have a clearance of 0.2 mm, and --clearance asks for 0.3: change "
-                 "`clearance_mm` in the design");
+                 "--clearance 0.3 is not the clearance of the design's pins, 0.2 mm. Change `clearance_mm` "
+                 "in the design");
   const Outcome coupon =
       kinetix_opt("export --coupon --format stl --clearance 0.2 -o " + std::string(scratch / "coupon"));
   EXPECT_EQ(coupon.code, 2);
-  EXPECT_THAT(coupon.err, HasSubstr("a coupon has gaps of its own"));
+  EXPECT_THAT(coupon.err, HasSubstr("a coupon has several gaps"));
 }
 
 TEST(Export, WritesACouponAsA3mfWhereNoFormatIsGiven) {
@@ -41,7 +41,7 @@ TEST(Export, WritesACouponAsA3mfWhereNoFormatIsGiven) {
   const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
   EXPECT_EQ(coupon.code, 0) << coupon.err;
   EXPECT_TRUE(fs::exists(scratch / "coupon/coupon.3mf"));
-  expect_refused(panel, "", "--format is required, e.g. --format 3mf");
+  expect_refused(panel, "", "--format is missing. Give e.g. --format 3mf");
 }
 
 TEST(Export, RefusesOptionsOfDesignsForACoupon) {

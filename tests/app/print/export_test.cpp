@@ -97,17 +97,16 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
       std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
   ASSERT_EQ(exported(scratch, described, "--format stl --hinge block").code, 0);
   EXPECT_EQ(print_json_of(scratch)["hinge"], "pin");
-  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--hinge changes nothing: the design says"));
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr("--hinge has no effect: the design sets"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --clearance 0.2 --loose-rods").code, 0);
   const std::string said = print_json_of(scratch)["warnings"].dump();
-  EXPECT_THAT(said, HasSubstr("--clearance changes nothing: no hinge is a pin"));
-  EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
+  EXPECT_THAT(said, HasSubstr("--clearance has no effect: no hinge is a pin"));
+  EXPECT_THAT(said, HasSubstr("--loose-rods has no effect: no hinge is a pin"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --caps").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--caps changes nothing: all axes are in the middle"));
+              HasSubstr("--round-caps has no effect: all axes are in the middle"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
-  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("has no effect"), std::string::npos);
 }
 
 TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
@@ -115,9 +114,8 @@ TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
   for (const auto& [edge_mm, words] :
        {std::pair{"30",
                   "made with cells of 30 mm instead of 12: the sheet and what it folds to are 2.5 times as "
-                  "large; for the size that its goal asked for search again with fewer cells"},
-        {"9",
-         "are 0.75 times as large; for the size that its goal asked for search again with more cells"}}) {
+                  "large. For the size of the goal search again with fewer cells"},
+        {"9", "are 0.75 times as large. For the size of the goal search again with more cells"}}) {
     ASSERT_EQ(exported(scratch, panel, std::string("--format stl --hinge block --cell-mm ") + edge_mm).code,
               0);
     EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr(words));
@@ -132,12 +130,12 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
   const std::string folded = "--hinge block --state folded --format ";
   ASSERT_EQ(exported(scratch, panel, folded + "svg,dxf,stl").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--state folded changes nothing in svg and dxf, where the sheet is always flat"));
+              HasSubstr("--state folded has no effect in svg and dxf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "mjcf").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--state folded changes nothing in mjcf, where the sheet is always flat"));
+              HasSubstr("--state folded has no effect in mjcf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
-  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("has no effect"), std::string::npos);
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("orientation  folded, as its motion leaves it, as it"));
 }
@@ -183,7 +181,7 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   }
   const Outcome refused = kinetix_opt("simulate " + scratch.path() + " -o " + std::string(scratch / "none"));
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("no design.yaml in this folder"));
+  EXPECT_THAT(refused.err, HasSubstr("this folder has no design.yaml"));
 }
 
 TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
@@ -194,7 +192,7 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm per side")) << options;
   }
   expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
-                 "a wall of 0.8 mm is less than fdm prints, 0.9 mm", not_printable);
+                 "a wall of 0.8 mm is below the minimum of fdm, 0.9 mm", not_printable);
 }
 
 TEST(Export, SaysHowFarPartsMaySwell) {

@@ -51,7 +51,7 @@ TEST(Export, SaysThatTilesOfAFoldedSheetAreFlat) {
   ASSERT_EQ(exported(scratch, panel, options + " --state folded --orient over").code, 0);
   EXPECT_EQ(text_of(scratch / "out/tile_1.stl"), flat);
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("--state folded changes nothing in tiles, which are printed flat"));
+              HasSubstr("--state folded has no effect on tiles, which are printed flat"));
 }
 
 TEST(Export, LeavesASheetWholeThatTheBedHolds) {

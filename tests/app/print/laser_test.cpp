@@ -130,10 +130,11 @@ TEST(Laser, MakesWallsAsHighAsTheSheetIsThick) {
   EXPECT_EQ(design(open + "{base: laser, sheet_mm: 2}\n").structure.size().height_mm, 2);
   EXPECT_EQ(design(given + "laser\n").process.sheet_mm, 5);
   EXPECT_EQ(design(given + "fdm\n").process.sheet_mm, 0);
-  expect_refused(given + "{base: laser, sheet_mm: 2}\n", "--format dxf",
-                 "as the sheet that they are cut from");
-  expect_refused(open + "{base: fdm, kerf_mm: 0.1}\n", "--format dxf", "is for processes that cut sheets");
-  expect_refused(open + "{base: sla, material: pp}\n", "--format dxf", "made in one, and sla does not");
+  expect_refused(given + "{base: laser, sheet_mm: 2}\n", "--format dxf", "the thickness of the sheet");
+  expect_refused(open + "{base: fdm, kerf_mm: 0.1}\n", "--format dxf",
+                 "only applies to processes that cut sheets");
+  expect_refused(open + "{base: sla, material: pp}\n", "--format dxf",
+                 "made in one piece, which sla does not");
   const app::Design written = design(design_text(design(given + "{base: laser, material: acrylic}\n")));
   EXPECT_EQ(written.process.film, "acrylic");
   EXPECT_EQ(written.process.sheet_mm, 5);
@@ -144,14 +145,13 @@ TEST(Laser, RefusesWhatIsNotAFlatSheetOfBridges) {
       "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20}\ndesign: {theta_deg: 5, hinges: [{wall: [[1, 0], "
       "[1, 1]], beta_deg: 20}]}\n",
       "--format dxf --process laser",
-      "whose walls all stand upright, and wall [[1, 0], [1, 1]] leans (alpha 90, beta 20 degrees)",
-      not_printable);
-  expect_refused(panel, "--format dxf --process laser --hinge pin", "and hinges are pins: make them bridges",
-                 not_printable);
+      "with upright walls, and wall [[1, 0], [1, 1]] is tilted (alpha 90, tilt 20 degrees)", not_printable);
+  expect_refused(panel, "--format dxf --process laser --hinge pin",
+                 "and the hinges are pins. Make them bridges", not_printable);
   expect_refused(bridged_cell("{base: laser, least_film_mm: 1.2}"), "--format dxf",
-                 "a bridge of 1 mm is less than laser cuts, 1.2 mm", not_printable);
+                 "a bridge of 1 mm is below the minimum of laser, 1.2 mm", not_printable);
   expect_refused(bridged_cell("{base: laser, kerf_mm: 5}"), "--format dxf",
-                 "a bridge's length of 4 mm is less than laser cuts, 5 mm", not_printable);
+                 "a bridge's length of 4 mm is below the minimum of laser, 5 mm", not_printable);
   expect_refused(bridged_cell("laser"), "--format dxf --bed 15,15", "cuts the sheet in one piece");
 }
 

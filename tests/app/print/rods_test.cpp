@@ -77,7 +77,7 @@ TEST(Rods, MayHaveNarrowerBoresThanTheProcessPrintsGaps) {
   EXPECT_EQ(json["path"]["elsewhere"]["asked_mm"], 0.3);
   EXPECT_GE(double(json["path"]["elsewhere"]["mm"]), 0.295);
   expect_refused(with("0.05"), "--format stl --process fdm",
-                 "a rod's clearance of 0.05 mm is less than fdm prints, 0.1 mm", not_printable);
+                 "a rod's clearance of 0.05 mm is below the minimum of fdm, 0.1 mm", not_printable);
 }
 
 TEST(Rods, NeedSmallerCellsThanPrintedPins) {
@@ -94,8 +94,7 @@ TEST(Rods, TakeCapsAndAreAlwaysSeparate) {
   ASSERT_EQ(exported(scratch, open, "--format stl --process fdm --cell-mm 16 --caps").code, 0);
   EXPECT_EQ(print_json_of(scratch)["hinge"], "rod");
   ASSERT_EQ(exported(scratch, open, "--format stl --process fdm --loose-rods").code, 0);
-  EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("--loose-rods has no effect: no hinge is a pin"));
 }
 
 /// A search of `--hinge rod` ends with rods of their usual size, in cells that `export` prints.

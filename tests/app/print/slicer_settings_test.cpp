@@ -86,7 +86,7 @@ TEST(SlicerSettings, OfSlaLeaveTheElephantFootToThePrinter) {
   EXPECT_EQ(print_json_of(scratch)["slicer_settings"],
             Json::parse(R"({"prusa": {"slice_closing_radius": "0.049"}})"));
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("elephant foot compensation 0.2 mm: set it in the printer's settings"));
+              HasSubstr("Set elephant foot compensation 0.2 mm in the printer's settings"));
 }
 
 /// PrusaSlicer wants ranges of triangles in one object. The others want an object for each material.
@@ -130,7 +130,7 @@ TEST(SlicerSettings, LeaveTheFirstLayerOfThinWallsToTheUser) {
     const std::string advice =
         "first layer  layers of 0.2 mm or less, the first too: gaps between knuckles are at least two of "
         "them "
-        "high; separate parts that fuse on the bed with a knife, as slicers do not narrow outlines below 0.8 "
+        "high. Separate parts that fuse on the bed with a knife, as slicers do not narrow outlines below 0.8 "
         "mm there";
     EXPECT_EQ(text_of(scratch / "out/print.txt").find(advice) != std::string::npos, has_advice) << options;
   }

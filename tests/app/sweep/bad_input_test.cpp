@@ -20,28 +20,27 @@ struct Bad {
 // Invalid sweep files, and the required part of each message.
 const Bad bad_sweeps[] = {
     {sweep_of("{kind: factorial}", "  - {path: design.tetha_deg, range: [5, 40]}\n", "end_mm"),
-     "doe.yaml:6:5: factors[0]: the base has no number at `design.tetha_deg`; the nearest is "
-     "`design.theta_deg`"},
+     "doe.yaml:6:5: factors[0]: the base has no number at `design.tetha_deg`. Did you "
+     "mean `design.theta_deg`?"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[*].betas_deg\", range: [5, 40]}\n", "end_mm"),
-     "the nearest is `design.hinges[*].beta_deg`"},
+     "Did you mean `design.hinges[*].beta_deg`?"},
     {sweep_of("{kind: factorial}", "  - {path: hinge.k_pont, range: [5, 40]}\n", "end_mm"),
-     "the nearest is `hinge.k_point`"},
+     "Did you mean `hinge.k_point`?"},
     {sweep_of("{kind: factorial}", "  - {path: physics.iterations, range: [5, 40]}\n", "end_mm"),
      "`physics.iterations` was removed"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[2].t\", range: [0.2, 0.4]}\n", "end_mm"),
-     "no such entry; positions count from 0"},
+     "no such entry. Count positions from 0"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[x].t\", range: [0.2, 0.4]}\n", "end_mm"),
      "is not a path"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 140]}\n", "end_mm"),
-     "design.theta_deg = 140: 140 is out of range; allowed: a number above -90 and below 90"},
+     "design.theta_deg = 140: 140 is out of range. Give a number above -90 and below 90"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.columns[*].t\", range: [0, 0.4]}\n", "end_mm"),
      "0 is out of range"},
     {sweep_of("{kind: factorial}", "  - {path: hinge.k_point, range: [-1, 40]}\n", "end_mm"),
      "hinge.k_point: `-1`"},
-    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [40, 5]}\n", "end_mm"),
-     "upside down"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [40, 5]}\n", "end_mm"), "reversed"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg}\n", "end_mm"),
-     "needs exactly one of `range:"},
+     "Give exactly one of `range:"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, normal: {mean: 20, sd: 0}}\n", "end_mm"),
      "sd"},
     {sweep_of("{kind: factorial}", theta + theta, "end_mm"), "two factors are called `design.theta_deg`"},
@@ -49,31 +48,31 @@ const Bad bad_sweeps[] = {
               "  - {path: \"design.walls[0].t\", range: [0.2, 0.4]}\n"
               "  - {path: \"design.hinges[0].t\", range: [0.2, 0.4]}\n",
               "end_mm"),
-     "that a factor writes already"},
+     "another factor already varies this number"},
     {sweep_of("{kind: factorial}", "  - {path: \"structure.cells[0]\", values: [4, 6]}\n",
               "end_mm, moved_rms_mm"),
-     "compares bodies with the base's own, of which there are others while `structure.cells` changes"},
+     "compares bodies with those of the base, and their number varies with `structure.cells`"},
     {sweep_of("{kind: factorial}",
               "  - {path: \"design.walls[*].t\", name: place, range: [0.4, 0.6], each: true}\n", "end_mm"),
-     "goes with one column; with `each: true` each has its own path"},
+     "names one column, and `each: true` makes several"},
     {sweep_of("{kind: one_at_a_time}", "  - {path: hinge.k_turn, range: [0.2, 2]}\n", "end_mm"),
-     "has no value that is the base, from which `one_at_a_time` starts"},
+     "`one_at_a_time` starts from the base, which has no single value here"},
     {sweep_of("{kind: one_at_a_time}",
               "  - {path: [\"design.hinges[0].beta_deg\", \"design.hinges[1].beta_deg\"], range: [5, 9]}\n",
               "end_mm"),
-     "or holds several"},
+     "which has no single value"},
     {sweep_of("{kind: sobol, samples: 1000000000000}", theta, "end_mm"), "method.samples"},
     {sweep_of("{kind: sobol, samples: 1.5}", theta, "end_mm"), "whole number"},
     {sweep_of("{kind: factorial, levels: 1000000}",
               "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: \"design.columns[0].t\", range: "
               "[0.2, 0.4]}\n",
               "end_mm"),
-     "1e+12 samples are too many; at most 10000000"},
+     "1e+12 samples are too many. Give at most 10000000"},
     {sweep_of("{kind: sobal, samples: 8}", theta, "end_mm"), "did you mean `sobol`?"},
     {sweep_of("{kind: factorial}", theta, "end_m"), "did you mean `end_mm`?"},
-    {sweep_of("{kind: factorial}", theta, "end_mm, end_mm"), "is given twice"},
+    {sweep_of("{kind: factorial}", theta, "end_mm, end_mm"), "is listed twice"},
     {sweep_of("{kind: factorial}", theta, "energy_Nmm"), "is not a metric of this model"},
-    {sweep_of("{kind: factorial}", theta, "shape_rms"), "needs `goal: FILE.yaml`"},
+    {sweep_of("{kind: factorial}", theta, "shape_rms"), "Add `goal: FILE.yaml`"},
     {sweep_of("{kind: factorial}", theta, "end_mm", "modle: exact\n"), "did you mean `model`?"},
     {"kinetix: 1\nbase: missing.yaml\nmethod: {kind: factorial}\nfactors:\n" + theta +
          "responses: [end_mm]\n",
@@ -112,7 +111,7 @@ TEST(SweepBadInput, AModelThatFitsNoSampleIsRefused) {
       "[1, 0]], t: 0.3}]}\n";
   const Outcome run = run_sweep_in(scratch, sweep_of("{kind: factorial}", theta, "end_mm"), "", loose);
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("use `model: equilibrium` or `bullet`"));
+  EXPECT_THAT(run.err, HasSubstr("Give `model: equilibrium` or `rigid_body`"));
   EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
@@ -121,7 +120,7 @@ TEST(SweepBadInput, AThetaThatADriveDecidesCannotBeAFactor) {
   const Outcome run = run_sweep_in(scratch, sweep_of("{kind: factorial}", theta, "end_mm"), "",
                                    std::string(strip) + "drive: {kind: plates, compression: 0.1}\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("`drive` decides theta"));
+  EXPECT_THAT(run.err, HasSubstr("`drive` of the base sets the fold angle"));
 }
 
 TEST(SweepBadInput, ColumnsAreOfSquaresAlone) {
@@ -131,9 +130,7 @@ TEST(SweepBadInput, ColumnsAreOfSquaresAlone) {
       sweep_of("{kind: factorial}", "  - {path: \"design.columns[0].t\", range: [0.4, 0.6]}\n", "end_mm"), "",
       "kinetix: 1\nstructure: {lattice: honeycomb, cells: [3, 2], cell_mm: 10}\ndesign: {theta_deg: 20}\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(
-      run.err,
-      HasSubstr("the base has no number at `design.columns[0].t`; the nearest is `design.walls[*].t`"));
+  EXPECT_THAT(run.err, HasSubstr("the base has no number at `design.columns[0].t`. Did you mean `"));
 }
 
 TEST(SweepBadInput, WhatMeasuresDesignsIsRefusedWhereTheBaseIsATarget) {
@@ -167,7 +164,7 @@ TEST(SweepBadInput, CountsItsColumnsBeforeItComparesThem) {
                "  - {path: \"design.walls[*].t\", range: [0.4, 0.6], each: true}\n", "moved_rms_mm"),
       "", "kinetix: 1\nstructure: {cells: [60, 60]}\ndesign: {theta_deg: 20}\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("factors and 1 responses are more than a table can hold; at most 1900"));
+  EXPECT_THAT(run.err, HasSubstr("factors and 1 responses are too many for a table. Give at most 1900"));
 }
 
 }  // namespace

@@ -148,16 +148,16 @@ TEST(SweepOfBodies, RefusesWhatIsForSheets) {
   const std::string angle = angles("10, 30");
   const std::string equilibrium = pair_sweep("equilibrium", angle, "end_mm");
   const std::pair<std::string, std::string> bad[] = {
-      {equilibrium + "start: base\n", "start: is for sheets"},
+      {equilibrium + "start: base\n", "start: only applies to sheets"},
       {equilibrium + "goal: curve.yaml\n", "goal: measures sheets"},
       {pair_sweep("exact", angle, "area_ratio"), "`area_ratio` is not a metric of this model"},
       {pair_sweep("exact", angle, "load_Nmm"), "`load_Nmm` is not a metric of this model"},
       {pair_sweep("equilibrium", angle, "stable_states"), "`stable_states` is not a metric of this model"},
       {pair_sweep("exact", angles("10, 190"), "end_mm"), "190"},
       {pair_sweep("exact", "  - {path: drive.angle, values: [1]}\n", "end_mm"),
-       "the nearest is `drive.angle_deg`"},
+       "Did you mean `drive.angle_deg`?"},
       {pair_sweep("exact", "  - {path: \"structure.hinges[1].k.turn\", values: [1]}\n", "end_mm"),
-       "no such entry; positions count from 0"},
+       "no such entry. Count positions from 0"},
       {pair_sweep("exact", "  - {path: \"structure.hinges[0].k.turn\", scale: true, values: [-1]}\n",
                   "end_mm"),
        "structure.hinges[0].k.turn"},

@@ -452,7 +452,7 @@ TEST(SweepContent, AGoalWhoseWallsOverlapAsBuiltIsMissed) {
   ASSERT_EQ(run.code, 0) << run.err;
   const Csv csv = read_csv(scratch / "out");
   EXPECT_EQ(csv.rows[0].at("status"), "missed");
-  EXPECT_THAT(csv.rows[0].at("reason"), HasSubstr("overlap as built"));
+  EXPECT_THAT(csv.rows[0].at("reason"), HasSubstr("overlap in the flat sheet"));
   EXPECT_EQ(csv.number(0, "met"), 0);
 }
 

@@ -75,7 +75,7 @@ TEST(SweepTable, BadInputUnderRanksIsSaidOnceAndEndsWith2) {
   const int status =
       std::system((ranks(3) + " " + KINETIX_OPT + " sweep " + doe + " >" + log + " 2>&1").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
-  const std::string text = text_of(log), words = "the nearest is";
+  const std::string text = text_of(log), words = "Did you mean";
   EXPECT_NE(text.find(words), std::string::npos);
   EXPECT_EQ(text.find(words), text.rfind(words));
 }
@@ -160,7 +160,7 @@ TEST(SweepTable, AFullDiskLosesNothing) {
   const int status = std::system(
       fmt::format("bash -c \"ulimit -f 1000; {} {}\" >{} 2>&1", KINETIX_OPT, arguments, log).c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
-  EXPECT_THAT(text_of(log), HasSubstr("continue with --resume"));
+  EXPECT_THAT(text_of(log), HasSubstr("ontinue with --resume"));
   EXPECT_EQ(kinetix_opt(arguments + " --resume").code, 0);
   EXPECT_EQ(text_of(scratch / "out/samples.csv"), whole);
 }
@@ -325,7 +325,7 @@ TEST(SweepTable, AllOfWhoseRowsAreDamagedStillNeedsResume) {
   ASSERT_EQ(change_table(scratch, "UPDATE samples SET end_mm = 0"), 0);
   const Outcome run = run_sweep_in(scratch, grid);
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("continue with --resume"));
+  EXPECT_THAT(run.err, HasSubstr("ontinue with --resume"));
 }
 
 TEST(SweepTable, OfAnEarlierVersionWithoutChecksumsIsRefused) {

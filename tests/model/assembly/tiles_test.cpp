@@ -144,7 +144,7 @@ TEST(Tiles, RefuseWhatCannotBe) {
   EXPECT_THAT(refused_tiles(sheet, {.scale_mm = 10, .thickness_mm = 1, .kerf_mm = 11}),
               HasSubstr("tile 1 is narrower than the cuts, 11 mm"));
   sheet.joints[1].second = 7;
-  EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 2: there is no tile 7; they go from 0 to 2"));
+  EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 2: the file has no tile 7. Give 0 to 2"));
   sheet = rotating_squares(3, 1, 0.3);
   sheet.joints[0].first_corner = 4;
   EXPECT_THAT(refused_tiles(sheet), HasSubstr("joint 1: tile 0 has no corner 4"));

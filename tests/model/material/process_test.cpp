@@ -22,7 +22,7 @@ TEST(Process, NamesWhatItCannotPrintAndTheCellThatItCould) {
   EXPECT_EQ(min_cell_mm(fdm, sheet(20, 0.8), pin(3, 0.3)), 20);
   const auto problems = print_problems(fdm, sheet(10, 0.4), pin(1, 0.2));
   ASSERT_EQ(problems.size(), 3u);
-  EXPECT_THAT(problems[0].what, HasSubstr("a wall of 0.4 mm is less than fdm prints, 0.8 mm"));
+  EXPECT_THAT(problems[0].what, HasSubstr("a wall of 0.4 mm is below the minimum of fdm, 0.8 mm"));
   EXPECT_THAT(print_problems(fdm, sheet(10, 0.502019), pin(3, 0.3))[0].what,
               HasSubstr("a wall of 0.502 mm is"));
   EXPECT_THAT(print_problems(fdm, sheet(10, 0.7999), pin(3, 0.3))[0].what,
@@ -56,7 +56,8 @@ TEST(Process, DoesNotPrintRodsOfWire) {
   wire.clearance_mm = 0.05;
   const auto problems = print_problems(fdm, sheet(10, 0.8), wire);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_THAT(problems[0].what, HasSubstr("a rod's clearance of 0.05 mm is less than fdm prints, 0.1 mm"));
+  EXPECT_THAT(problems[0].what,
+              HasSubstr("a rod's clearance of 0.05 mm is below the minimum of fdm, 0.1 mm"));
   EXPECT_EQ(clearance_scatter(wire, fdm.sd).place_mm, clearance_scatter(pin(0.5, 0.05), fdm.sd).place_mm);
 }
 

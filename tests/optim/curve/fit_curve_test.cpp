@@ -113,7 +113,7 @@ TEST(FitFreeCurve, KeepsThetaBelowTheAngleAtWhichBasicCellsClose) {
   EXPECT_LT(found.design.design.theta, std::atan(1 - 2.0 / 14));
   EXPECT_FALSE(found.contact.touches);
   ASSERT_FALSE(found.notes.empty());
-  EXPECT_NE(found.notes[0].find("theta kept below"), std::string::npos) << found.notes[0];
+  EXPECT_NE(found.notes[0].find("fold angle limited to"), std::string::npos) << found.notes[0];
 }
 
 model::CellSize usual_walls(const CurveVariables& v) { return {v.cell_mm, 0.1 * v.cell_mm, 0.6 * v.cell_mm}; }
@@ -142,7 +142,7 @@ TEST(FitFreeCurve, FindsASmallerThetaWhereWallsWouldMeet) {
   const FreeCurveDesign found = fit_free_curve(step, variables, usual_walls(variables), {}, 0.01);
   EXPECT_FALSE(found.contact.touches);
   EXPECT_LE(found.design.error.rms, 0.01);
-  EXPECT_NE(found.narrowed.find("theta kept below"), std::string::npos) << found.narrowed;
+  EXPECT_NE(found.narrowed.find("fold angle limited to"), std::string::npos) << found.narrowed;
   ASSERT_FALSE(found.notes.empty());
   EXPECT_EQ(found.notes.back(), found.narrowed);
 }

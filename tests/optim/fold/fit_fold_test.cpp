@@ -57,7 +57,7 @@ TEST(FitFold, SaysThatItWasStoppedBeforeOneFolds) {
   const FoldDesign design = fit_fold(targets::box_goal({4, 4, 4}), stoppable);
   EXPECT_FALSE(design.folds);
   EXPECT_TRUE(design.stopped);
-  EXPECT_THAT(design.obstacles, ::testing::ElementsAre("the search was told to stop"))
+  EXPECT_THAT(design.obstacles, ::testing::ElementsAre("the search was stopped"))
       << "a goal without any is met";
 }
 

@@ -85,7 +85,7 @@ TEST(FitSpaceBlock, TakesShorterGussetsThanUsualWhereLongOnesWouldBeTooLong) {
 TEST(FitSpaceBlock, SaysWhatStandsInTheWay) {
   EXPECT_EQ(obstacle({{0.9, 0.9, 0.9}, {}}, {}), "");
   EXPECT_THAT(obstacle({{0.7, 0.9, 0.9}, {}}, {}),
-              HasSubstr("shrinks by 0.3 and the others by 0.2 together"));
+              HasSubstr("shrinks by 0.3 and the others together by 0.2"));
   EXPECT_THAT(obstacle({{0.4, 0.4, 0.4}, {}}, {}), HasSubstr("has all gussets from 0.1 to 0.8 edges"));
 }
 

@@ -151,7 +151,7 @@ HardAnswer refuse_bent_rows(double edge_mm) {
     const double theta = exact.theta_of(plate_drive(s, model::Axis::y, 0.1, 1));
     return check_distinct(false, exact.why, text("taken to theta %g", theta));
   } catch (const InvalidInput& e) {
-    return check_distinct(std::string(e.what()).find("would hold rows straight") != std::string::npos,
+    return check_distinct(std::string(e.what()).find("would keep rows straight") != std::string::npos,
                           exact.name, std::string("refused: ") + e.what());
   }
 }

@@ -81,7 +81,7 @@ TEST(Curve, RefusesAPointSoNearThatTheLengthDoesNotGrow) {
     ADD_FAILURE() << "accepted";
   } catch (const InvalidCurve& error) {
     EXPECT_EQ(error.point(), 2);
-    EXPECT_EQ(error.reason(), "points 2 and 3 are the same; every point must be new");
+    EXPECT_EQ(error.reason(), "points 2 and 3 are the same. Remove one of them");
   }
 }
 

@@ -47,13 +47,13 @@ TEST(ReadCurve, NamesLineAndColumnOfTheCsv) {
       {"x_m,z_m\n0,0\n", 1, 1, "", {"another unit", "points are in millimetres"}},
       {"# top\nx,z_cm\n0,0\n", 2, 3, "", {"`z_cm`", "points are in millimetres"}},
       {"x (in),z (in)\n", 1, 1, "", {"points are in millimetres"}},
-      {"x,y\n0,0\n", 1, 3, "", {"`y` stands where `z` belongs", "header `x,z`"}},
-      {"z,x\n0,0\n", 1, 1, "", {"`z` stands where `x` belongs"}},
-      {"x,y,z\n0,0,0\n", 1, 1, "", {"not the header of two columns"}},
-      {"x;z\n0;0\n", 1, 1, "", {"not the header of two columns", "`x,z`"}},
+      {"x,y\n0,0\n", 1, 3, "", {"`y` is not the name `z`", "header `x,z`"}},
+      {"z,x\n0,0\n", 1, 1, "", {"`z` is not the name `x`"}},
+      {"x,y,z\n0,0,0\n", 1, 1, "", {"not a header of two columns"}},
+      {"x;z\n0;0\n", 1, 1, "", {"not a header of two columns", "`x,z`"}},
       {"0,0\n1,1\n", 1, 1, "", {"header is missing", "`x,z`"}},
       {"x,z\n0,0\n1,abc\n", 3, 3, "", {"`abc` is not a number", "in mm"}},
-      {"x,z\n0,0\n1 cm,2\n", 3, 1, "", {"carries a unit", "in mm"}},
+      {"x,z\n0,0\n1 cm,2\n", 3, 1, "", {"has a unit", "in mm"}},
       {"x,z\n0,0\n1,\n", 3, 3, "", {"is empty", "a number from -1000000 to 1000000, in mm"}},
       {"x,z\n0,0\n1\n", 3, 1, "", {"has 1 column", "give two"}},
       {"x,z\n0,0,\n", 2, 1, "", {"has 3 columns", "decimals with a point"}},
@@ -61,7 +61,7 @@ TEST(ReadCurve, NamesLineAndColumnOfTheCsv) {
       {"x,z\n0,nan\n", 2, 3, "", {"not a finite number"}},
       {"x,z\n0,1e300\n", 2, 3, "", {"out of range", "1000000"}},
       {"x,z\n0,0\n0,1e-300\n1,1\n", 3, 1, "", {"are the same"}},
-      {"x,z\n0,1e999\n", 2, 3, "", {"beyond what a number can hold"}},
+      {"x,z\n0,1e999\n", 2, 3, "", {"too large for a number"}},
       {"x,z\n\n0,0\n# c\n1,1\n1,1\n2,2\n", 6, 1, "", {"points 2 and 3 are the same"}},
       {"x,z\n0,0\n1,1\n2,0\n0,0\n", 5, 1, "", {"closed", "open curve"}},
       {"x,z\n0,0\n1,1\n2,0\n0,1e-15\n", 5, 1, "", {"closed", "open curve"}},
@@ -103,7 +103,7 @@ TEST(ReadCurve, RefusesTooMuch) {
   for (int k = 0; k <= 200'000; ++k) rows += std::to_string(k) + ",0\n";
   folder.write("long.csv", rows);
   EXPECT_THAT(refusal([&] { read_curve_csv(folder.path("long.csv")); }),
-              HasSubstr("long.csv:200002:1: too many points; at most 200000"));
+              HasSubstr("long.csv:200002:1: there are too many points. Give at most 200000"));
 }
 
 TEST(ReadCurve, ReadsTheLongestStraightLineUprightAsFastAsLyingDown) {

@@ -54,12 +54,12 @@ TEST(DisplayGoal, TellsGreyFromBinary) {
 }
 
 TEST(DisplayGoal, RefusesRowsThatAreNoPicture) {
-  EXPECT_THAT(refusal([] { rows_goal({}); }), HasSubstr("holds no rows"));
+  EXPECT_THAT(refusal([] { rows_goal({}); }), HasSubstr("has no rows"));
   EXPECT_THAT(refusal([] { rows_goal({"010", "01"}); }), HasSubstr("has 2 cells, and the first row has 3"));
-  EXPECT_THAT(refusal([] { rows_goal({"01", "0x"}); }), HasSubstr("`0x` holds more than 0 and 1"));
+  EXPECT_THAT(refusal([] { rows_goal({"01", "0x"}); }), HasSubstr("`0x` has characters other than 0 and 1"));
   EXPECT_THAT(refusal([] { rows_goal({"11", "11"}); }), HasSubstr("every cell is letter"));
   EXPECT_THAT(refusal([] { rows_goal({"00", "00"}); }), HasSubstr("every cell is rest"));
-  EXPECT_THAT(refusal([] { rows_goal({"01"}); }), HasSubstr("2 x 1 cells is too small; give at least 2 x 2"));
+  EXPECT_THAT(refusal([] { rows_goal({"01"}); }), HasSubstr("2 x 1 cells is too small. Give at least 2 x 2"));
 }
 
 TEST(DisplayGoal, KeepsPanelsWithinBounds) {
@@ -67,7 +67,10 @@ TEST(DisplayGoal, KeepsPanelsWithinBounds) {
   EXPECT_NO_THROW(check_panel({1000, 250}));
   EXPECT_THAT(refusal([] { check_panel({1, 10}); }), HasSubstr("1 x 10 cells is too small"));
   EXPECT_THAT(refusal([] { check_panel({-3, 10}); }), HasSubstr("too small"));
-  EXPECT_THAT(refusal([] { check_panel({1001, 10}); }), HasSubstr("too large; at most 1000 cells a side"));
+  EXPECT_THAT(refusal([] {
+                check_panel({1001, 10});
+              }),
+              HasSubstr("too large. Give at most 1000 cells per side"));
   EXPECT_THAT(refusal([] { check_panel({501, 500}); }), HasSubstr("250000 in all"));
 }
 

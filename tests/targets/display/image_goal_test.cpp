@@ -106,15 +106,15 @@ TEST(ImageGoal, RefusesWhatIsNoPictureOfALetter) {
   EXPECT_THAT(says(folder.path("none.png")), HasSubstr("none.png: no such file"));
   EXPECT_THAT(says("/dev/zero"), HasSubstr("device"));
   EXPECT_THAT(says(folder.path(".")), HasSubstr("is a folder"));
-  EXPECT_THAT(says(folder.write("text.png", "hello\n")), HasSubstr("give a PNG, PBM or PGM file"));
+  EXPECT_THAT(says(folder.write("text.png", "hello\n")), HasSubstr("Give a PNG, PBM or PGM file"));
   EXPECT_THAT(says(folder.write("nine.pgm", "P2\n2 1 9\n0 9\n")),
               HasSubstr("largest value is 3, 15, 255 or 65535"));
   EXPECT_THAT(says(folder.write("one.pgm", "P2\n2 1 1\n0 1\n")), HasSubstr("largest value is 3, 15"))
       << "it was refused by a message that allowed it";
-  EXPECT_THAT(says(folder.write("empty.png", "")), HasSubstr("give a PNG, PBM or PGM file"));
+  EXPECT_THAT(says(folder.write("empty.png", "")), HasSubstr("Give a PNG, PBM or PGM file"));
   EXPECT_THAT(
       says(folder.write("cut.png", png.substr(0, png.size() / 2))),
-      HasSubstr("cut.png: is damaged and cannot be decoded (it ends too early); give a whole PNG file"));
+      HasSubstr("cut.png: is damaged and cannot be decoded (it ends too early). Give a whole PNG file"));
   EXPECT_THAT(says(folder.write("cut.pgm", "P5\n4 4\n255\nabc")), HasSubstr("cut.pgm: is damaged"));
   EXPECT_THAT(says(write_image(folder.path("a.bmp"), drawn(corner), IFF_BMP)), HasSubstr("allowed format"));
   EXPECT_THAT(says(folder.write("a.ppm", "P3\n1 2 255\n0 0 0 255 255 255\n")), HasSubstr("allowed format"));

@@ -70,8 +70,8 @@ TEST(Document, RefusesWhatConfigurationDoesNotNeed) {
       {"a: 1\nb: 2\na: 3\n", 3, 1, "a", {"twice", "line 1"}},
       {"a: {b: 1, c: 2, b: 3}\n", 1, 17, "a.b", {"twice"}},
       {"a: 1\n\"a\": 2\n", 2, 1, "a", {"twice"}},
-      {"? [1, 2]\n: 3\n", 1, 3, "", {"keys must be plain words"}},
-      {"a: {{b: 1}: 2}\n", 1, 5, "a", {"keys must be plain words"}},
+      {"? [1, 2]\n: 3\n", 1, 3, "", {"Give plain words as keys"}},
+      {"a: {{b: 1}: 2}\n", 1, 5, "a", {"Give plain words as keys"}},
       {"a: {kind: curve\n", 2, 1, "a", {"`}`", "missing"}},
       {"{a: {b: 1}\n", 1, 1, "", {"closing bracket"}},
       {": 1\n", 1, 1, "", {"key is missing"}},
@@ -190,10 +190,10 @@ TEST(Node, ConvertsScalarsThatAreAllowed) {
 TEST(Node, SaysWhereAndWhatIsAllowedForABadNumber) {
   const Bounds length = above(0, "mm");
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
-      {"8 mm", {"`8 mm` carries a unit", "a number above 0, in mm"}},
-      {"8cm", {"carries a unit", "in mm", "without writing the unit"}},
-      {"0.5rad", {"carries a unit"}},
-      {"3\"", {"carries a unit"}},
+      {"8 mm", {"`8 mm` has a unit", "a number above 0, in mm"}},
+      {"8cm", {"has a unit", "in mm", "without writing the unit"}},
+      {"0.5rad", {"has a unit"}},
+      {"3\"", {"has a unit"}},
       {"0,8", {"decimal comma"}},
       {"\"8\"", {"quotes", "a number above 0"}},
       {"eight", {"`eight` is not a number"}},
@@ -205,7 +205,7 @@ TEST(Node, SaysWhereAndWhatIsAllowedForABadNumber) {
       {"-.inf", {"not a finite number"}},
       {"NaN", {"not a finite number"}},
       {"inf", {"not a finite number"}},
-      {"1e999", {"beyond what a number can hold"}},
+      {"1e999", {"too large for a number"}},
       {"0", {"out of range", "above 0"}},
       {"-3", {"out of range"}},
       {"true", {"is not a number"}},
@@ -235,7 +235,7 @@ TEST(Node, IsStrictAboutIntegersBooleansTextAndRanges) {
   expect("\"a\\0b\"", {"control character"}, [](const Node& n) { n.text("a name"); });
   expect("''", {"is empty", "a name"}, [](const Node& n) { n.text("a name"); });
   const auto range = [](const Node& n) { n.angle_range(from_to(-89, 89, "degrees")); };
-  expect("[3, 1]", {"upside down", "3 is above 1"}, range);
+  expect("[3, 1]", {"reversed", "3 is above 1"}, range);
   expect("[3, 3]", {"are equal"}, range);
   expect("[1, 2, 3]", {"has 3 entries", "[lower, upper]", "from -89 to 89, in degrees"}, range);
   expect("3", {"is a single value", "[lower, upper]"}, range);
@@ -255,10 +255,10 @@ TEST(Node, SuggestsTheNearestKeyAndListsAllowedOnes) {
   EXPECT_THAT(says("beta: 1\ntheta: 1\n"),
               HasSubstr("in.yaml:2:1: theta: unknown key (did you mean `theta_deg`?)"));
   EXPECT_THAT(says("Cells: 1\n"), HasSubstr("did you mean `cells`?"));
-  EXPECT_THAT(says("{beta: 0,4}\n"), HasSubstr("in.yaml:1:10: 4: a number stands where a key belongs"));
+  EXPECT_THAT(says("{beta: 0,4}\n"), HasSubstr("in.yaml:1:10: 4: a number is in the place of a key"));
   EXPECT_THAT(says("x: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("colour: 1\n"), HasSubstr("unknown key; allowed"));
-  EXPECT_THAT(says("- 1\n"), HasSubstr("is a list; give a map of keys (theta_deg, beta, cells)"));
+  EXPECT_THAT(says("- 1\n"), HasSubstr("is a list. Give a map of keys (theta_deg, beta, cells)"));
 }
 
 // PyYAML and other readers of YAML 1.1 took 1e+05 for a text.
@@ -346,6 +346,14 @@ TEST(Wording, CountsOneThingInTheSingular) {
   EXPECT_EQ(counted(1, "factor"), "1 factor");
   EXPECT_EQ(counted(0, "response"), "0 responses");
   EXPECT_EQ(counted(97, "sample"), "97 samples");
+}
+
+TEST(Bounds, HaveFewDigitsWithinWhatTheyAllow) {
+  const double edge_mm = 9.066687;
+  EXPECT_EQ(from_to(1e-6 * edge_mm, 0.5 * edge_mm, "mm").describe(),
+            "a number from 0.000009067 to 4.533, in mm");
+  EXPECT_EQ(between(0, 0.7 * 3).describe(), "a number above 0 and below 2.1");
+  EXPECT_EQ(at_least(0.123456).describe(), "a number of at least 0.123456");
 }
 
 }  // namespace

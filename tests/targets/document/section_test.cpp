@@ -81,7 +81,7 @@ TEST(Section, AllowsWhatItsTableAllows) {
               }),
               HasSubstr("from 0.1 to 20, in mm (0.01 to 2 cells)"));
   EXPECT_THAT(refusal([] { section("{part: 1}").required("must", "a number"); }),
-              HasSubstr("the key `must` is missing; give a number"));
+              HasSubstr("the key `must` is missing. Give a number"));
 }
 
 TEST(Section, ReadsNoKeyThatItsTableDoesNotHave) {
@@ -102,6 +102,49 @@ TEST(Section, ReadsNoKeyAsAnotherTypeThanItsTableSays) {
   EXPECT_THROW(file.read("part", count), std::logic_error);
   EXPECT_THROW(file.read("colour", colour, others), std::logic_error);
   EXPECT_THROW(file.required("part", "a part"), std::logic_error);
+}
+
+// `crimson` is the earlier name of `red`.
+constexpr Word<Colour> renamed_colours[] = {
+    {"red", Colour::red}, {"green", Colour::green}, {"crimson", Colour::red}};
+
+const KeyTable& renamed_keys() {
+  static const KeyTable keys({
+      Key("width_mm", value::number(), needed, "a width").formerly("w"),
+      Key("colour", value::choice(renamed_colours), by_default("red"), "a colour").formerly("hue"),
+  });
+  return keys;
+}
+
+Section renamed(const std::string& text) { return {parse_document(text, "in.yaml"), renamed_keys()}; }
+
+TEST(EarlierNames, AreReadLikeTheCurrentOnes) {
+  for (const char* text : {"{width_mm: 2, colour: green}", "{w: 2, hue: green}"}) {
+    double width = 0;
+    Colour colour = Colour::red;
+    renamed(text).read_needed("width_mm", "a width", width);
+    renamed(text).read("colour", colour, renamed_colours);
+    EXPECT_EQ(width, 2);
+    EXPECT_EQ(colour, Colour::green);
+  }
+  Colour colour = Colour::green;
+  renamed("{w: 1, colour: crimson}").read("colour", colour, renamed_colours);
+  EXPECT_EQ(colour, Colour::red);
+  EXPECT_EQ(renamed_keys().at("w").name, "width_mm");
+  EXPECT_EQ(renamed_keys().at("width_mm").written_name(), "w");
+}
+
+TEST(EarlierNames, AreNotInMessages) {
+  EXPECT_THAT(refusal([] { renamed("{w: 1, width_mm: 1}"); }),
+              HasSubstr("w: `w` is the earlier name of `width_mm`, which is given as well"));
+  EXPECT_THAT(refusal([] { renamed("{with_mm: 1}"); }),
+              HasSubstr("did you mean `width_mm`?); allowed: width_mm, colour"));
+  EXPECT_THAT(refusal([] { renamed("{}").required("width_mm", "a width"); }),
+              HasSubstr("the key `width_mm` is missing"));
+  Colour colour = Colour::red;
+  EXPECT_THAT(refusal([&] { renamed("{w: 1, hue: blue}").read("colour", colour, renamed_colours); }),
+              HasSubstr("allowed: red, green"));
+  EXPECT_THAT(renamed_keys().at("colour").type.words, ElementsAre("red", "green"));
 }
 
 TEST(KeyTable, KnowsWhatGoesWithEachAlternative) {

@@ -76,7 +76,7 @@ TEST(DxfDrawing, IsInItsUnit) {
   for (const auto& [unit, mm] : known)
     expect_lines(parse_dxf(dxf(line(1, 0, 2, 3), units(unit))), {{mm, 0, 2 * mm, 3 * mm}});
   EXPECT_THAT(refusal([] { parse_dxf(dxf(line(0, 0, 1, 0), units(3))); }),
-              HasSubstr("the unit $INSUNITS 3 is not read; allowed: mm, cm, m, inches, feet"));
+              HasSubstr("the unit $INSUNITS 3 is not supported. Give mm, cm, m, inches or feet"));
   expect_lines(
       parse_dxf(dxf(line(1, 0, 2, 3), "9\n$LUNITS\n70\n2\n" + units(5) + "9\n$MEASUREMENT\n70\n1\n")),
       {{10, 0, 20, 30}});
@@ -107,15 +107,15 @@ TEST(DxfDrawing, LeavesWhatStandsOnPaperOut) {
 TEST(DxfDrawing, RefusesCurvesWithTheirLine) {
   for (const std::string curve : {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"})
     EXPECT_THAT(refusal([&] { parse_dxf(dxf("0\n" + curve + "\n10\n0\n20\n0\n40\n1\n")); }),
-                AllOf(HasSubstr("walls are straight: " + curve + " is not read"), HasSubstr("6:1")));
+                AllOf(HasSubstr("the curve " + curve + " is not supported"), HasSubstr("6:1")));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nLWPOLYLINE\n10\n0\n20\n0\n42\n0.5\n10\n1\n20\n0\n")); }),
               HasSubstr("this polyline has an arc"));
   EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nPOLYLINE\n70\n4\n0\nVERTEX\n10\n0\n20\n0\n0\nSEQEND\n")); }),
-              HasSubstr("walls are straight"));
+              HasSubstr("Draw straight walls"));
   for (const std::string kind : {"MLINE", "3DFACE"})
     EXPECT_THAT(refusal([&] { parse_dxf(dxf(line(0, 0, 1, 0) + "0\n" + kind + "\n10\n0\n20\n0\n")); }),
-                HasSubstr(kind + " is not read"));
-  EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nINSERT\n2\npart\n10\n0\n20\n0\n")); }), HasSubstr("explode it"));
+                HasSubstr(kind + " is not supported"));
+  EXPECT_THAT(refusal([] { parse_dxf(dxf("0\nINSERT\n2\npart\n10\n0\n20\n0\n")); }), HasSubstr("Explode it"));
 }
 
 TEST(DxfDrawing, RefusesWhatIsMissing) {
@@ -219,7 +219,7 @@ TEST(SvgDrawing, RefusesLengthsInUnitsThatItDoesNotKnow) {
 
 TEST(SvgDrawing, RefusesCurvesAndWhatItCannotRead) {
   const std::pair<std::string, std::string> bad[] = {
-      {"<circle r='3'/>", "has a circle; walls are straight"},
+      {"<circle r='3'/>", "has a circle. Draw walls as line"},
       {"<ellipse rx='3' ry='1'/>", "has a ellipse"},
       {"<rect width='3' height='2' rx='0.5'/>", "round corners"},
       {"<svg viewBox='0 0 10 10'><line x2='3'/></svg>", "an svg within its svg"},
@@ -227,15 +227,15 @@ TEST(SvgDrawing, RefusesCurvesAndWhatItCannotRead) {
       {"<path d='M0 0 a1 1 0 0 0 2 2'/>", "the command `a`"},
       {"<path d='1 2 L 3 4'/>", "begins with no M"},
       {"<path d='M0 0 L1 0 Z 5 5'/>", "the command `Z`"},
-      {"<path d='M0 0 L1'/>", "where a number belongs"},
-      {"<path d='M0 0 L1 #'/>", "`#` where a number belongs"},
-      {"<path d='M0 0 L1 nan'/>", "where a number belongs"},
-      {"<polygon points='0 0 1'/>", "where a number belongs"},
+      {"<path d='M0 0 L1'/>", "instead of a number"},
+      {"<path d='M0 0 L1 #'/>", "`#` instead of a number"},
+      {"<path d='M0 0 L1 nan'/>", "instead of a number"},
+      {"<polygon points='0 0 1'/>", "instead of a number"},
       {"<g transform='skewX(3)'/>", "has a transform `skewX`"},
       {"<g transform='scale(1, 2, 3)'/>", "has a transform scale of 3 numbers"},
       {"<g transform='scale 1'/>", "has no `(`"},
-      {"<g transform='scale(1'/>", "where a number belongs"},
-      {"<line x1='1e999'/>", "where a number belongs"},
+      {"<g transform='scale(1'/>", "instead of a number"},
+      {"<line x1='1e999'/>", "instead of a number"},
       {"<line", "is not an SVG file"},
   };
   for (const auto& [text, says] : bad)

@@ -83,7 +83,7 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
        "target.net.creases[0].angle_deg",
        {"180"}},
       {net("{faces: [a, a], side: top, angle_deg: 90}"), 3, 13, "target.net.creases[0].faces[1]", {"itself"}},
-      {net(base_a + base_b), 1, 27, "target.net", {"face `c`", "hang together"}},
+      {net(base_a + base_b), 1, 27, "target.net", {"face `c`", "Connect all faces"}},
       {net(base_a + base_b + ",\n{faces: [base, c], side: top, angle_deg: 9}"),
        1,
        27,
@@ -98,12 +98,12 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
        1,
        27,
        "target.net",
-       {"`b-c`", "no neighbour"}},
+       {"`b-c`", "not a neighbour"}},
       {net(base_a + base_b + ",\n{faces: [a, c], side: top, angle_deg: 9, shift: 5}"),
        1,
        27,
        "target.net",
-       {"`a-c`", "no neighbours"}},
+       {"`a-c`", "not neighbours"}},
   };
   for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { fold_of(bad.text); });
 }
@@ -120,7 +120,7 @@ TEST(FoldNet, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(refused(bad), ::testing::HasSubstr("two faces are named `a`"));
   bad = good;
   bad.creases.push_back(bad.creases.front());
-  EXPECT_THAT(refused(bad), ::testing::HasSubstr("is given twice"));
+  EXPECT_THAT(refused(bad), ::testing::HasSubstr("is listed twice"));
   bad = good;
   bad.creases.front().angle = 4;
   EXPECT_THAT(refused(bad), ::testing::HasSubstr("turns by 229"));

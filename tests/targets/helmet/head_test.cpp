@@ -207,20 +207,19 @@ std::string says(const TriangleMesh& mesh, const HeadPose& pose, const std::stri
 TEST(Head, OfAnotherSizeIsRefusedWithTheUnitThatWouldDo) {
   const auto sized = [](double mm) { return ellipsoid(mm / 230 * head_axes, 24, 12); };
   EXPECT_THAT(says(sized(2), {}, "units"), HasSubstr("is 2 mm long"));
-  EXPECT_THAT(says(sized(0.23), {}, "units"), HasSubstr("`units: m` would make it 230 mm"));
-  EXPECT_THAT(says(sized(23), {}, "units"), HasSubstr("`units: cm` would make it 230 mm"));
-  EXPECT_THAT(says(sized(9), {}, "units"), HasSubstr("`units: in` would make it 228.6 mm"));
-  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"),
-              HasSubstr("`units: mm` would make it 230 mm"));
+  EXPECT_THAT(says(sized(0.23), {}, "units"), HasSubstr("Give `units: m` for 230 mm"));
+  EXPECT_THAT(says(sized(23), {}, "units"), HasSubstr("Give `units: cm` for 230 mm"));
+  EXPECT_THAT(says(sized(9), {}, "units"), HasSubstr("Give `units: in` for 228.6 mm"));
+  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
   EXPECT_THAT(says(sized(2e6), {}, "units"),
-              HasSubstr("is 2e+06 mm long; a head (or a bust) is 100 to 1000 mm"));
+              HasSubstr("is 2e+06 mm long, and a head or a bust is 100 to 1000 mm"));
 }
 
 TEST(Head, RefusesACrownAwayFromTheMesh) {
   const TriangleMesh mesh = head_with_ears(90, 60);
   EXPECT_THAT(says(mesh, {.crown = Vector3d(0, 0, 145)}, "crown"), HasSubstr("is 30 mm from the mesh"));
   EXPECT_THAT(says(mesh, {.crown = Vector3d(0, 0, 0)}, "crown"),
-              HasSubstr("leave it out for the highest, [0, 0, 115]"));
+              HasSubstr("remove the key for the highest, [0, 0, 115]"));
   EXPECT_EQ(says(mesh, {.crown = Vector3d(0, 0, 125)}, "crown"), "");
 }
 
@@ -344,9 +343,9 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
        1,
        16,
        "target.mesh",
-       {"in mm the mesh is 2.18", "none of the units mm, cm, m, in would do"}},
+       {"in mm the mesh is 2.18", "with any of the units mm, cm, m and in"}},
       {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, m, in"}},
-      {"{mesh: head.obj, units: m}", 1, 33, "target.units", {"`units: mm` would make it"}},
+      {"{mesh: head.obj, units: m}", 1, 33, "target.units", {"Give `units: mm` for"}},
       {"{mesh: head.obj, up: w}", 1, 30, "target.up", {"`w` is not known", "-z"}},
       {"{mesh: head.obj, up: z, front: -z}", 1, 40, "target.front", {"across"}},
       {"{mesh: head.obj, crown: [0, 0]}", 1, 33, "target.crown", {"[x, y, z]"}},

@@ -91,7 +91,7 @@ TEST(MeshFile, KeepsHolesShellsAndTrianglesThatAreDoubledDegenerateOrNonManifold
 TEST(MeshFile, RefusesAVertexThatIsNotFinite) {
   TemporaryFolder folder;
   EXPECT_THAT(says(folder, "a.obj", "v 0 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\n"),
-              HasSubstr("a.obj:2:3: `nan` stands where a coordinate of a vertex belongs"));
+              HasSubstr("a.obj:2:3: `nan` is not a coordinate of a vertex"));
   TriangleMesh mesh = tetrahedron();
   mesh.vertices[2].y() = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [name, bytes] : every_format(mesh))
@@ -105,7 +105,7 @@ TEST(MeshFile, RefusesWhatIsNoMesh) {
   TemporaryFolder folder;
   EXPECT_THAT(refusal([&] { read_mesh(folder.path("none.obj")); }), HasSubstr("none.obj: no such file"));
   EXPECT_THAT(refusal([&] { read_mesh(folder.path("head.fbx")); }),
-              HasSubstr("give an OBJ, STL or PLY file"));
+              HasSubstr("Give an OBJ, STL or PLY file"));
   for (const auto& [name, bytes] : every_format({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}}))
     EXPECT_THAT(says(folder, name, bytes), HasSubstr("has no triangles")) << name;
   for (const char* name : {"a.obj", "a.stl", "a.ply"}) {
@@ -122,14 +122,14 @@ TEST(MeshFile, RefusesCornersThatNameNoVertex) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_THAT(says(folder, "a.obj", vertices + "f 1 2 4\nf 1 2 3\n"), HasSubstr("a.obj:4:7: the corner `4`"));
   EXPECT_THAT(says(folder, "a.obj", vertices + "f 1 2 -4\n"), HasSubstr("a.obj:4:7: the corner `-4`"));
-  EXPECT_THAT(says(folder, "a.obj", vertices + "f 1 2 0\n"), HasSubstr("give vertex indices"));
+  EXPECT_THAT(says(folder, "a.obj", vertices + "f 1 2 0\n"), HasSubstr("Give vertex indices"));
   EXPECT_THAT(says(folder, "a.obj", vertices + "f 1 2 99999999999999999999\n"),
-              HasSubstr("give vertex indices"));
+              HasSubstr("Give vertex indices"));
   TriangleMesh mesh = tetrahedron();
   mesh.triangles[1][2] = 4;
   EXPECT_THAT(says(folder, "a.ply", ply_binary(mesh)), HasSubstr("there are only 4"));
   mesh.triangles[1][2] = -1;
-  EXPECT_THAT(says(folder, "a.ply", ply_text(mesh)), HasSubstr("-1 is no index"));
+  EXPECT_THAT(says(folder, "a.ply", ply_text(mesh)), HasSubstr("-1 is not an index"));
 }
 
 TEST(MeshFile, RefusesCountsThatTheFileCannotHold) {

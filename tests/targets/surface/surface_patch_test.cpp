@@ -120,7 +120,7 @@ TEST(MeshPatch, SaysHowAMeshIsNoSurfaceOverItsPlane) {
   EXPECT_THAT(refused(third), HasSubstr("an edge of the mesh has more than two triangles"));
   TriangleMesh turned = sampled(cap_patch(100, 1), 4);
   std::swap(turned.triangles[0][1], turned.triangles[0][2]);
-  EXPECT_THAT(refused(turned), HasSubstr("wound differently"));
+  EXPECT_THAT(refused(turned), HasSubstr("different orientations"));
   EXPECT_THAT(refused(strip_over({{0, 0}, {200, 0}, {400, 0}, {401, 30}})),
               HasSubstr("turns by 80 deg or more from the mean normal"));
 }

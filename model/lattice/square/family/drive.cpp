@@ -22,7 +22,7 @@ Grip whole_grip(const Structure& structure) {
 void require_vertex(Vertex v, const Grip& grip, const Structure& structure) {
   if (structure.body_at(v)) return;
   throw InvalidInput("plates cannot grip " + to_string(grip) + ": the structure has no vertex " +
-                     to_string(v) + "; their first and last row of vertices must be there");
+                     to_string(v) + ". Give a grip with its first and last row of vertices");
 }
 
 }  // namespace

@@ -424,21 +424,21 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
   scratch.write("nine.pgm", "P2\n2 1 9\n0 9\n");
   scratch.write("huge.pgm", "P5\n80000 80000\n255\n");
   const std::vector<std::array<std::string, 2>> cases = {
-      {"glyph: \"\"", "is empty; give a letter or a short word"},
+      {"glyph: \"\"", "is empty. Give a letter or a short word"},
       {"glyph: \" \"", "shows no ink"},
       {"glyph: T, font: DejaVu Sanz", "is not installed"},
       {"glyph: T, font: DejaVu Sanz", "DejaVu Sans"},
       {"image: none.png", "no such file"},
-      {"image: text.png", "give a PNG, PBM or PGM file"},
+      {"image: text.png", "Give a PNG, PBM or PGM file"},
       {"image: damaged.png", "damaged.png: is damaged"},
       {"image: nine.pgm", "largest value is 3, 15, 255 or 65535"},
       {"image: huge.pgm", "80000 x 80000 pixels; at most 64 megapixels"},
       {"image: flat.png", "one value everywhere"},
       {"image: grey.png, levels: grey}\ntolerance: {contrast: 3",
-       "tolerance.contrast: is for pictures of two levels"},
+       "tolerance.contrast: only applies to pictures with two levels"},
       {"rows: [\"00\", \"00\"]", "every cell is rest"},
       {"glyph: T}\nstructure: {cells: [1, 1]", "from 2 to 1000"},
-      {"glyph: T}\nstructure: {cells: [1000, 1000]", "250000 in all are allowed"},
+      {"glyph: T}\nstructure: {cells: [1000, 1000]", "250000 in all"},
   };
   for (const auto& [target, says] : cases) {
     const std::string file =
@@ -459,8 +459,8 @@ TEST(PanelMemory, PanelsThatMemoryDoesNotHoldAreRefused) {
   EXPECT_THAT(refusal([&] {
                 app::check_memory({500, 500}, 2, 4, 8 * gib);
               }),
-              AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells takes about 23.3 GiB"),
-                    HasSubstr("has 8.0 GiB; give fewer cells, or --threads 1")));
+              AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells needs about 23.3 GiB"),
+                    HasSubstr("has 8.0 GiB. Give fewer cells, or --threads 1")));
 }
 
 TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {

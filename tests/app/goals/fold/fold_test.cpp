@@ -93,8 +93,8 @@ TEST(Fold, ThatCannotBeSaysWhy) {
   const std::string text = std::string(box) + "variables: {beta: {range_deg: [-5, 5]}}\n";
   const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + scratch.path());
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("would need tilts of"));
-  EXPECT_THAT(run.out, HasSubstr("at most 5.0 deg is allowed: give it more columns"));
+  EXPECT_THAT(run.out, HasSubstr("needs tilts of"));
+  EXPECT_THAT(run.out, HasSubstr("the limit is 5.0 deg. Give it more columns"));
   EXPECT_EQ(schema_errors(Json::parse(text_of(scratch.path() + "/result.json"))), "");
 }
 
@@ -181,12 +181,12 @@ TEST(Fold, RefusesBadInputAndWritesNothing) {
   const std::pair<std::string, std::string> cases[] = {
       {head + "box: [4, 0, 4]}\n", "target.box[1]"},
       {head + "box: [4, 4, 4]}\nstructure: {cells: [3, 3]}\n", "follow from its faces"},
-      {head + "box: [4, 4, 4]}\nvariables: {beta: {range_deg: [10, 60]}}\n", "leaves one sign out"},
+      {head + "box: [4, 4, 4]}\nvariables: {beta: {range_deg: [10, 60]}}\n", "has one sign only"},
       {head + "box: [4, 4, 4]}\nvariables: {theta: {range_deg: [44, 44.9]}}\n", "variables"},
       {head + "box: [4, 4, 4]}\ntolerance: {angle: 1}\n", "did you mean `angle_deg`?"},
-      {head + "box: [4, 4, 4]}\ntolerance: {size: 0.01}\n", "tolerance.size: is of `target.box_mm`"},
+      {head + "box: [4, 4, 4]}\ntolerance: {size: 0.01}\n", "tolerance.size: only applies together with target.box_mm"},
       {head + "net: {faces: [{name: a, cells: [2, 2]}, {name: b, cells: [2, 2]}], creases: []}}\n",
-       "hang together"},
+       "Connect all faces"},
   };
   for (const auto& [text, says] : cases) {
     const Outcome run = kinetix_opt(scratch.write("bad.yaml", text) + " -o " + scratch.path() + "/out");

@@ -179,14 +179,14 @@ TEST(Helmet, BadInputIsRefusedAndNothingIsWritten) {
       {"coverage_mm: 70", "coverage_mm: 190", {"target.coverage_mm", "beyond the mesh"}},
       {"clearance_mm: 11", "clearance_mm: -1", {"target.clearance_mm"}},
       {"ribs: 3", "ribs: 0", {"target.ribs"}},
-      {"ribs: 3", "ribs: 60", {"ribs overlap flat"}},
-      {"ribs: 3", "ribs: 3, spacing_mm: 40", {"target.spacing_mm", "the same thing"}},
-      {"ribs: 3", "spacing_mm: 30", {"target.spacing_mm", "overlap flat"}},
+      {"ribs: 3", "ribs: 60", {"overlap in the flat sheet"}},
+      {"ribs: 3", "ribs: 3, spacing_mm: 40", {"target.spacing_mm", "cannot be combined with target.ribs"}},
+      {"ribs: 3", "spacing_mm: 30", {"target.spacing_mm", "overlap in the flat sheet"}},
       {"cell_mm: 24", "cell_mm: 0.01", {"structure.cell_mm"}},
       {"cell_mm: 24", "cells: [3, 3]", {"structure.cells"}},
       {"max_mm: 5", "max_mm: 5, shape: 1", {"tolerance.shape"}},
-      {"name: cap", "name: cap\nsolver: {starts: 1}", {"cap.yaml:3:10: solver.starts: ", "one start"}},
-      {"name: cap", "name: cap\nsolver: {name: mma}", {"solver.name", "allowed: ceres"}},
+      {"name: cap", "name: cap\nsolver: {starts: 1}", {"cap.yaml:3:10: solver.starts: ", "single start"}},
+      {"name: cap", "name: cap\nsolver: {name: mma}", {"solver.name", "Give ceres"}},
   };
   for (const Case& bad : cases) {
     const Scratch scratch;

@@ -84,11 +84,11 @@ TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
   EXPECT_THAT(refused("factor: .nan}"), HasSubstr("target.factor"));
   EXPECT_THAT(refused("size_mm: [100, 100, 100]}"), HasSubstr("factor"));
   EXPECT_THAT(refused("factor: 0.9, size_mm: [100, 100, 0]}"), HasSubstr("target.size_mm"));
-  EXPECT_THAT(refused("factor: 0.9, size_mm: [2000, 2000, 50]}"), HasSubstr("give larger cells"));
+  EXPECT_THAT(refused("factor: 0.9, size_mm: [2000, 2000, 50]}"), HasSubstr("Give larger cells"));
   EXPECT_THAT(refused("factor: 0.9, size_mm: [1000, 1000, 1000]}\nstructure: {cell_mm: 0.88}"),
-              HasSubstr("402 x 402 x 402 cells have some 2338733088 bodies"));
+              HasSubstr("402 x 402 x 402 cells have about 2338733088 bodies"));
   EXPECT_THAT(refused("factor: 0.9}\ntolerance: {size: 0.01}"),
-              HasSubstr("tolerance.size: is of `target.size_mm`"));
+              HasSubstr("tolerance.size: only applies together with target.size_mm"));
 }
 
 }  // namespace

@@ -206,9 +206,9 @@ TEST(SurfaceGoal, NamesTheNewKeyToWhoAsksRibsForTheirCover) {
     }
     return "accepted";
   };
-  EXPECT_THAT(says(", shape: cap, ribs: 4", "cover: 0.2"), HasSubstr("give `tolerance.covered_share`"));
-  EXPECT_THAT(says(", shape: cap, ribs: 4", "curvature_share: 0.2"), HasSubstr("leave it out"));
-  EXPECT_THAT(says(", shape: cap", "covered_share: 0.2"), HasSubstr("give `tolerance.cover`"));
+  EXPECT_THAT(says(", shape: cap, ribs: 4", "cover: 0.2"), HasSubstr("Give `tolerance.covered_share`"));
+  EXPECT_THAT(says(", shape: cap, ribs: 4", "curvature_share: 0.2"), HasSubstr("Remove the key"));
+  EXPECT_THAT(says(", shape: cap", "covered_share: 0.2"), HasSubstr("Give `tolerance.cover`"));
   EXPECT_EQ(says(", shape: cap", "cover: 0.2, curvature_share: 0.3"), "accepted");
   EXPECT_EQ(says(", shape: cap, ribs: 4", "covered_share: 0.2"), "accepted");
 }
@@ -224,22 +224,22 @@ TEST(SurfaceGoal, RefusesWhatItCannotRead) {
     }
   };
   refused("", "needs a `mesh` or a `shape`");
-  refused(", shape: cap, rise: 0.2", "belongs to a saddle");
+  refused(", shape: cap, rise: 0.2", "only applies to a saddle");
   refused(", shape: cap, arc_deg: 170", "140");
   folder.write("tiny.obj", testing::obj_text(testing::cube(0.1)));
   folder.write("cube.obj", testing::obj_text(testing::cube(50)));
   refused(", mesh: cube.obj", "give `target.ribs`");
-  refused(", mesh: tiny.obj, ribs: 3", "`units` says");
+  refused(", mesh: tiny.obj, ribs: 3", "by `units`");
   refused(", shape: cap, ribs: 0", "target.ribs");
-  refused(", mesh: cube.obj, ribs: 3, arc_deg: 20", "belongs to a shape");
-  refused(", shape: cap, ribs: 3}\nstructure: {facets: [3, 3]", "belongs to a sheet of facets");
-  refused(", shape: cap}\nstructure: {cell_mm: 3", "belongs to `target.ribs`");
-  refused(", shape: cap, ribs: 9}\nstructure: {cell_mm: 20", "ribs overlap flat");
-  refused(", profile: [[10, 0], [12, 5], [9, 4]]", "must ascend");
-  refused(", profile: [[10, 0], [12, 50]], shape: cap", "both say what the surface is");
-  refused(", profile: [[10, 0], [12, 50]], width_mm: 3", "belongs to a shape");
+  refused(", mesh: cube.obj, ribs: 3, arc_deg: 20", "only applies to a shape");
+  refused(", shape: cap, ribs: 3}\nstructure: {facets: [3, 3]", "only applies to a sheet of facets");
+  refused(", shape: cap}\nstructure: {cell_mm: 3", "add `target.ribs`");
+  refused(", shape: cap, ribs: 9}\nstructure: {cell_mm: 20", "ribs overlap in the flat sheet");
+  refused(", profile: [[10, 0], [12, 5], [9, 4]]", "do not ascend");
+  refused(", profile: [[10, 0], [12, 50]], shape: cap", "which also sets the surface");
+  refused(", profile: [[10, 0], [12, 50]], width_mm: 3", "only applies to a shape");
   refused(", profile: [[10, 0], [12, 50]], arc_deg: 200", "120");
-  refused(", shape: vase, radius_mm: 2, swell_mm: 0.8, height_mm: 200", "curves too much for its facets");
+  refused(", shape: vase, radius_mm: 2, swell_mm: 0.8, height_mm: 200", "less than the width of a facet");
   refused(", shape: vase, radius_mm: 50, swell_mm: 15, arc_deg: 100", "0.95 of the neck's width, 70 mm");
 }
 

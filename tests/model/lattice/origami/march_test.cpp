@@ -65,7 +65,7 @@ TEST(QuadMesh, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(refused(mesh), HasSubstr("facet [0, 0] has corners that are not finite"));
   mesh = good;
   mesh.at(3, 3) = mesh.at(2, 2) - (mesh.at(3, 3) - mesh.at(2, 2));
-  EXPECT_THAT(refused(mesh), HasSubstr("facet [2, 2] is turned over or not convex"));
+  EXPECT_THAT(refused(mesh), HasSubstr("facet [2, 2] is reversed or not convex"));
   mesh = good;
   mesh.level[mesh.level_crease(1, 1)] *= 1.1;
   EXPECT_THAT(refused(mesh), HasSubstr("fold multipliers do not close round vertex [1, 1]"));

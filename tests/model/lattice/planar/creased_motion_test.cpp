@@ -104,7 +104,7 @@ TEST(CreasedMotion, RefusesPlatesOnRowsThatBendInCellsOfAnySize) {
     PlanarStructure s = testing::miura_of_hexagons(4, 4, pi / 3, 0.01);
     s.size = {edge, 0.08 * edge, 0.6 * edge};
     EXPECT_THAT(testing::refusal([&] { exact_motion(s).theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
-                HasSubstr("would hold rows straight that bend"))
+                HasSubstr("would keep rows straight that bend"))
         << edge;
   }
 }

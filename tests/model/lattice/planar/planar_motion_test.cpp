@@ -172,9 +172,9 @@ TEST(PlanarGraph, SaysWhatIsWrongWithADrawing) {
   expect_refused({square, with({2, 2})}, "has no length");
   expect_refused({square, with({2, 4})}, "vertices go from 0 to 3");
   expect_refused({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {0.5, 2}}, with({4, 5})},
-                 "vertex 4 at (0.5, 0) lies on the wall from vertex 0 to 1; split that wall there");
-  expect_refused({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {5, 5}, {6, 5}}, with({4, 5})}, "do not hang together");
-  expect_refused({{{0, 0}, {NAN, 0}}, {{0, 1}}}, "no finite number");
+                 "vertex 4 at (0.5, 0) lies on the wall from vertex 0 to 1. Split that wall there");
+  expect_refused({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {5, 5}, {6, 5}}, with({4, 5})}, "are not connected");
+  expect_refused({{{0, 0}, {NAN, 0}}, {{0, 1}}}, "is not finite");
   expect_refused({{{0, 0}}, {}}, "at least two vertices");
 }
 
@@ -288,9 +288,8 @@ TEST(PlanarDrive, RefusesRowsThatCurveInTheExactMotion) {
   const ExactMotion motion = exact_motion(s);
   ASSERT_TRUE(motion) << motion.why;
   EXPECT_FALSE(keeps_rows_straight(y, Axis::y, boundary_rows(s, Axis::y)));
-  EXPECT_THAT(
-      refusal([&] { motion.theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
-      HasSubstr("plates normal to y would hold rows straight that curve in this panel's exact motion"));
+  EXPECT_THAT(refusal([&] { motion.theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
+              HasSubstr("plates normal to y would keep rows straight that curve in this panel's motion"));
   const LinkageDrive drive = drive_to(s, 0.3);
   EXPECT_EQ(drive.kind, LinkageDrive::Kind::hinge) << "rows across x curve as well";
   EXPECT_NEAR(motion.theta_of(drive), 0.3, 1e-9);
