@@ -105,13 +105,13 @@ const model::Process& named(const targets::Node& node) {
 
 targets::Key process_key() {
   return key_of_process(
-      "how it is to be printed ([hinges.md](hinges.md)): what prints with such errors come to is said with "
+      "how it is to be printed ([hinges.md](../explanation/hinges.md)): what prints with such errors come to is said with "
       "the result");
 }
 
 targets::Key design_process_key() {
   return key_of_process(
-      "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise");
+      "what `export` makes it for ([print-files.md](print-files.md)), if its `--process` does not say otherwise");
 }
 
 targets::Key bed_key() {
@@ -129,7 +129,7 @@ targets::Key lock_key() {
   return {
       "lock", value::choice(lock_choices), targets::no_default,
       "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
-      "posts, or `strap`, two eyes for a strap ([print.md](print.md#6-staying-folded)). Left out, a search "
+      "posts, or `strap`, two eyes for a strap ([print-files.md](print-files.md#6-staying-folded)). Left out, a search "
       "chooses, and a design has none"};
 }
 

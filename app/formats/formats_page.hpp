@@ -7,7 +7,7 @@ namespace kinetix::app {
 /// Function that returns the text of the schema of a name, such as "result" or "sweep".
 using SchemaText = std::string (*)(const std::string& name);
 
-/// Returns docs/formats.md: the prose of a template, with tables of keys in place of its marks.
+/// Returns formats.md: the prose of a template, with tables of keys in place of its marks.
 /// @param page template. A line `{{keys NAME}}`, NAME of all_keys(), becomes a table of keys. `{{metrics}}` becomes
 /// the metrics of all kinds of goals. `{{json NAME}}` becomes the keys of app/schema/NAME.schema.json.
 /// @throws InvalidInput for an unknown mark, a table that the page leaves out, and a key without meaning

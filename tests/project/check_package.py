@@ -22,7 +22,7 @@ is_whole = "--whole" in sys.argv[4:]
 DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
             "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "lib/kinetix/modules/kinetix-read-step", "lib/kinetix/modules/kinetix-mesh.so", "include/kinetix/kinetix.hpp",
-            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
+            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/reference/formats.md",
             f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
 SMALL_DESIGN = {"kinetix": 1, "structure": {"cells": [4, 1], "cell_mm": 10}, "design": {"theta_deg": 20}}
 

@@ -35,11 +35,11 @@ std::string schema_text(const std::string& name) {
 
 TEST(FormatsPage, IsWhatTheTablesSay) {
   const std::string page = formats_page(read_file(source + "/app/formats/page.in"), schema_text);
-  EXPECT_EQ(read_file(source + "/docs/formats.md"), page) << "write it anew by `make docs`";
+  EXPECT_EQ(read_file(source + "/docs/reference/formats.md"), page) << "write it anew by `make docs`";
 }
 
 TEST(FormatsPage, NamesEveryResponse) {
-  const std::string page = read_file(source + "/docs/formats.md");
+  const std::string page = read_file(source + "/docs/reference/formats.md");
   for (const bool searches : {false, true})
     for (const Model model : {Model::exact, Model::equilibrium, Model::bullet})
       for (const std::string& name : metric_names({model, searches, goal_kinds().front()}))
