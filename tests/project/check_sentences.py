@@ -15,7 +15,7 @@ WORD = re.compile(r"[^\W\d_][\w'’-]*")
 
 
 def blocks_of(text):
-    """Yields paragraphs, list items and table cells without code, links and formulas."""
+    """Yields paragraphs, list items, and the parts of table cells between semicolons, without code, links and formulas."""
     text = re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
     text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
     text = re.sub(r"!\[[^\]]*\]\([^)]*\)", "", text)
@@ -28,7 +28,7 @@ def blocks_of(text):
             yield block
             block = ""
         if line.startswith("|"):
-            yield from (cell for cell in line.strip().strip("|").split("|") if re.search(r"\w", cell))
+            yield from (part for cell in line.strip().strip("|").split("|") for part in cell.split(";") if re.search(r"\w", part))
         elif line.strip() and not line.startswith(("#", ":::")):
             block += " " + re.sub(r"^\s*([-*+]|\d+\.)\s+", "", line.strip())
 

@@ -9,7 +9,7 @@
 
 namespace kinetix::app::studio {
 
-/// Returns the message `result` (studio.md) of the result.json next to a design file: its goal and its
+/// Returns the message `result` (studio-protocol.md) of the result.json next to a design file: its goal and its
 /// errors.
 /// Null if there is no such file, it cannot be read, it had no goal, or its sheet differs: bodies or hinges
 /// by more than the rounding of design files.
