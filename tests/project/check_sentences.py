@@ -35,7 +35,7 @@ def blocks_of(text):
 
 def sentences_of(text):
     for block in blocks_of(text):
-        for sentence in re.split(r"(?<=[.!?:;])(?:\*\*|[*_)])*\s+(?=[A-Z*\[(0-9x]|kinetix)", block):
+        for sentence in re.split(r"(?<=[.!?:;])(?:\*\*|[*_)])*\s+(?=[A-Z*\[(0-9x]|kinetix|\w+\.(?:txt|json|yaml|html))", block):
             words = WORD.findall(re.sub(r"<[^>]*>", "", sentence))
             if words:
                 yield len(words), " ".join(sentence.split())
