@@ -71,7 +71,19 @@ targets::Key one_material_key() {
   return {"material", value::choice(material_choices()), targets::otherwise("the process's"), text};
 }
 
-const targets::KeyTable& custom_process_keys() {
+targets::Key key_of_process(const char* meaning) {
+  return {"process", value::either({value::choice(process_names()), value::map(process_keys())}),
+          targets::by_default(process_names().front().c_str()), meaning};
+}
+
+const model::Process& named(const targets::Node& node) {
+  const std::vector<std::string> names = process_names();
+  return model::processes()[node.one_of({names.begin(), names.end()})];
+}
+
+}  // namespace
+
+const targets::KeyTable& process_keys() {
   static const targets::KeyTable keys({
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
        "the process that all other numbers come from"},
@@ -87,21 +99,9 @@ const targets::KeyTable& custom_process_keys() {
                 cut_width),
       one_material_key(),
       {"sd", sd_keys(), "how far prints are from what was designed"},
-  });
+  }, {}, "Section process");
   return keys;
 }
-
-targets::Key key_of_process(const char* meaning) {
-  return {"process", value::either({value::choice(process_names()), value::map(custom_process_keys())}),
-          targets::by_default(process_names().front().c_str()), meaning};
-}
-
-const model::Process& named(const targets::Node& node) {
-  const std::vector<std::string> names = process_names();
-  return model::processes()[node.one_of({names.begin(), names.end()})];
-}
-
-}  // namespace
 
 targets::Key process_key() {
   return key_of_process(
@@ -142,7 +142,7 @@ std::optional<LockKind> read_lock(const targets::Section& root) {
 std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
-  std::string own = custom_process_keys().text(process, base);
+  std::string own = process_keys().text(process, base);
   if (process.film != base.film) own += fmt::format("{}material: {}", own.empty() ? "" : ", ", process.film);
   if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
     own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
@@ -198,7 +198,7 @@ model::Process read_limits(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();
   if (node->kind() != targets::Node::Kind::map) return named(*node);
-  const targets::Section own(*node, custom_process_keys());
+  const targets::Section own(*node, process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
   read_one_piece(own, process);
