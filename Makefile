@@ -11,7 +11,7 @@
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
 # make soak: the long proofs that make test leaves out, and SOAK_FILES damaged files of every kind that is read, through
 #   the program under the address sanitizer.
-# make docs: write docs/reference/formats.md and the schemas anew from the tables of keys, and outputs in pages from runs.
+# make docs: write the pages of files in docs/reference and the schemas anew from the tables of keys, and outputs in pages from runs.
 # make gallery: run the designs of docs/gallery.md and draw them.
 # make site: build/site, the documentation for a browser.
 JOBS ?= $(shell nproc)

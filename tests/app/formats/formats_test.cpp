@@ -42,7 +42,8 @@ TEST(FormatsPages, AreWhatTheTablesSay) {
 }
 
 TEST(FormatsPages, NameEveryResponse) {
-  const std::string page = read_file(source + "/docs/reference/sweep.md");
+  const std::string page =
+      read_file(source + "/docs/reference/sweep.md") + read_file(source + "/docs/reference/result.md");
   for (const bool searches : {false, true})
     for (const Model model : {Model::exact, Model::equilibrium, Model::bullet})
       for (const std::string& name : metric_names({model, searches, goal_kinds().front()}))
@@ -50,7 +51,7 @@ TEST(FormatsPages, NameEveryResponse) {
 }
 
 TEST(FormatsPages, RefuseATableThatIsLeftOutAndMarksThatStandForNothing) {
-  for (const char* text : {"{{page a.md}}\n{{keys design}}\n", "{{page a.md}}\n{{keys nothing}}\n", "text\n"})
+  for (const char* text : {"{{page design.md}}\n{{keys design}}\n", "{{page design.md}}\n{{keys nothing}}\n", "text\n"})
     EXPECT_THROW(formats_pages(text, schema_text), InvalidInput) << text;
 }
 
