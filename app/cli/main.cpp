@@ -235,7 +235,9 @@ examples:
 
 exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
-  4 physics run disagrees or failed   130 Ctrl-C before there was anything to keep)";
+  4 physics run disagrees or failed   130 Ctrl-C before there was anything to keep
+
+documentation: share/doc/kinetix/html/index.html, or build/site/index.html after make site)";
 
 /// Sets the default format of a coupon: a 3MF file has the settings that keep the coupon's gaps open, and cutters read
 /// drawings.
