@@ -1,7 +1,7 @@
-"""photo.py, run by Blender: a picture of an exported sheet as a photograph would show it, flat and folded on a table.
+"""render_rib.py, run by Blender: a rendering of an exported sheet, flat and folded on a table.
 
     kinetix-opt export results/helmet_rib --format glb -o print
-    blender -b --factory-startup --python docs/figures/photo.py -- print/helmet_rib.glb docs/figures/rib_photo.jpg
+    blender -b --factory-startup --python docs/figures/render_rib.py -- print/helmet_rib.glb docs/figures/rib_rendering.jpg
 """
 import math
 import re
