@@ -224,7 +224,7 @@ targets::Key robust_key(const std::string& over) {
   return {"robust",
           targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
           targets::by_default("false"),
-          "of the designs that meet the goal, the one whose [prints](../explanation/hinges.md#4-as-made) come nearest to "
+          "of the designs that meet the goal, the one whose [prints](hinges.md#4-as-made) come nearest to "
           "it, over " +
               over +
               "; a number weighs what prints are expected to be off against what the design itself is, with "

@@ -89,7 +89,7 @@ std::vector<targets::Key> stiffness_and_shape() {
        "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
        "tilting"},
       {"kind", value::choice(kinds), targets::no_default,
-       "how the hinge is made, from which its stiffness follows ([hinges](../explanation/hinges.md)): `pin`, a rod in "
+       "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
        "knuckles with play; `block`, soft material in the gap between the halves of the wall; `film`, a thin "
        "film over the gap; `rod`, a pin whose rod is a separate part or a wire, pushed in after printing. "
        "With no other key, hinges stay joints and get the sizes that the process needs"},

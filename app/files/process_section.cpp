@@ -71,19 +71,7 @@ targets::Key one_material_key() {
   return {"material", value::choice(material_choices()), targets::otherwise("the process's"), text};
 }
 
-targets::Key key_of_process(const char* meaning) {
-  return {"process", value::either({value::choice(process_names()), value::map(process_keys())}),
-          targets::by_default(process_names().front().c_str()), meaning};
-}
-
-const model::Process& named(const targets::Node& node) {
-  const std::vector<std::string> names = process_names();
-  return model::processes()[node.one_of({names.begin(), names.end()})];
-}
-
-}  // namespace
-
-const targets::KeyTable& process_keys() {
+const targets::KeyTable& custom_process_keys() {
   static const targets::KeyTable keys({
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
        "the process that all other numbers come from"},
@@ -99,19 +87,36 @@ const targets::KeyTable& process_keys() {
                 cut_width),
       one_material_key(),
       {"sd", sd_keys(), "how far prints are from what was designed"},
-  }, {}, "Section process");
+  });
+  return keys;
+}
+
+targets::Key key_of_process(const char* meaning) {
+  return {"process", value::either({value::choice(process_names()), value::map(process_keys())}),
+          targets::by_default(process_names().front().c_str()), meaning};
+}
+
+const model::Process& named(const targets::Node& node) {
+  const std::vector<std::string> names = process_names();
+  return model::processes()[node.one_of({names.begin(), names.end()})];
+}
+
+}  // namespace
+
+const targets::KeyTable& process_keys() {
+  static const targets::KeyTable keys(custom_process_keys().keys(), {}, "Section process");
   return keys;
 }
 
 targets::Key process_key() {
   return key_of_process(
-      "how it is to be printed ([hinges.md](../explanation/hinges.md)): what prints with such errors come to is said with "
+      "how it is to be printed ([hinges.md](hinges.md)): what prints with such errors come to is said with "
       "the result");
 }
 
 targets::Key design_process_key() {
   return key_of_process(
-      "what `export` makes it for ([print-files.md](print-files.md)), if its `--process` does not say otherwise");
+      "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise");
 }
 
 targets::Key bed_key() {
@@ -129,7 +134,7 @@ targets::Key lock_key() {
   return {
       "lock", value::choice(lock_choices), targets::no_default,
       "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
-      "posts, or `strap`, two eyes for a strap ([print-files.md](print-files.md#6-staying-folded)). Left out, a search "
+      "posts, or `strap`, two eyes for a strap ([print.md](print.md#6-staying-folded)). Left out, a search "
       "chooses, and a design has none"};
 }
 
@@ -142,7 +147,7 @@ std::optional<LockKind> read_lock(const targets::Section& root) {
 std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
-  std::string own = process_keys().text(process, base);
+  std::string own = custom_process_keys().text(process, base);
   if (process.film != base.film) own += fmt::format("{}material: {}", own.empty() ? "" : ", ", process.film);
   if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
     own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
@@ -198,7 +203,7 @@ model::Process read_limits(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();
   if (node->kind() != targets::Node::Kind::map) return named(*node);
-  const targets::Section own(*node, process_keys());
+  const targets::Section own(*node, custom_process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
   read_one_piece(own, process);

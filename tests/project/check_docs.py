@@ -68,8 +68,8 @@ def promises_kept(repository):
 
 
 def citations(repository):
-    """Yields citations of pages that do not exist. A citation may be relative to the root or to the citing file's
-    folder, be the file name of a page below docs, or be a link of docs/reference, which the tables of keys write."""
+    """Yields citations of pages that do not exist. A citation may be the file name of a page below docs. It may be
+    relative to the root, to the citing file's folder, or to docs/reference, where tables of keys go."""
     for name, text in repository.texts.items():
         if name == SELF:
             continue

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """run_pages.py PROGRAM SOURCE SCRATCH [--write] [PAGE...]: runs every command that a page shows.
 
-Each page is followed from top to bottom in a folder of its own, which has the program and the shipped targets at the
+Each page is followed from top to bottom in a separate folder, which has the program and the shipped targets at the
 places that the pages name.
 - A block ```sh is pasted into a shell. A line that ends in `# exit code N` must end so. Lines that begin with make or git
   are left out.

@@ -51,7 +51,8 @@ TEST(FormatsPages, NameEveryResponse) {
 }
 
 TEST(FormatsPages, RefuseATableThatIsLeftOutAndMarksThatStandForNothing) {
-  for (const char* text : {"{{page design.md}}\n{{keys design}}\n", "{{page design.md}}\n{{keys nothing}}\n", "text\n"})
+  for (const char* text :
+       {"{{page design.md}}\n{{keys design}}\n", "{{page design.md}}\n{{keys nothing}}\n", "text\n"})
     EXPECT_THROW(formats_pages(text, schema_text), InvalidInput) << text;
 }
 
