@@ -206,9 +206,9 @@ std::set<std::string> anchors_of(const std::string& page) {
   return anchors;
 }
 
-class Template {
+class PageTemplate {
  public:
-  explicit Template(SchemaText schema) : schema_(schema) {}
+  explicit PageTemplate(SchemaText schema) : schema_(schema) {}
 
   std::vector<FormatsPage> filled(const std::string& text) {
     std::istringstream lines(text);
@@ -273,7 +273,7 @@ class Template {
 }  // namespace
 
 std::vector<FormatsPage> formats_pages(const std::string& text, SchemaText schema) {
-  return Template(schema).filled(text);
+  return PageTemplate(schema).filled(text);
 }
 
 std::vector<KeyList> all_keys() {
