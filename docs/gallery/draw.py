@@ -22,7 +22,7 @@ from walls import wall_meshes
 SOURCE = Path(__file__).resolve().parents[2]
 WIDTH, TALLEST = 900, 520  # px
 HERO_SIZE = 1400, 620  # px
-GAP_MM = 0.08  # between two things, of the wider one's width
+GAP = 0.08  # between two things, over the width of the wider one
 LIMIT_S = 1200  # of one run
 
 
@@ -73,10 +73,10 @@ class Run:
         flat, folded = self.flat, self.folded
         wide, deep, _ = flat.size()
         if self.design.is_behind or wide > 3 * deep:
-            gap = GAP_MM * wide
+            gap = GAP * wide
             folded = folded.moved([0, deep / 2 + gap + folded.size()[1] / 2, 0])
         else:
-            folded = folded.moved([wide / 2 + GAP_MM * wide + folded.size()[0] / 2, 0, 0])
+            folded = folded.moved([wide / 2 + GAP * wide + folded.size()[0] / 2, 0, 0])
         both = flat + folded
         low, high = both.bounds()
         return both + coin().moved([flat.bounds()[0][0] + 12, low[1] - 18, 0])
