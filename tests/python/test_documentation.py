@@ -30,6 +30,16 @@ class Documentation(Scratch):
                 exec(compile(code, f"example {number} of docs/how-to/python.md", "exec"), {"__name__": "__main__"})
                 self.assertEqual(printed.getvalue(), shown)
 
+    def test_the_example_of_the_readme_runs(self):
+        (code,) = re.findall(r"^```python\n(.*?)^```", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL)
+        before = os.getcwd()
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, before)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(compile(code, "example of README.md", "exec"), {"__name__": "__main__"})
+        self.assertTrue(printed.getvalue().startswith("True 0"), printed.getvalue())
+        self.assertTrue(os.path.exists("tray_print/print.json"))
+
     def test_everything_public_has_a_docstring_and_types(self):
         for name in kinetix.__all__:
             thing = getattr(kinetix, name)
