@@ -13,11 +13,13 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # no folder of compiled modules next to the pictures
 
+import numpy as np
+
 from designs import DESIGNS, HERO
 from page import write_page
 from picture import Mesh, EVEN, ODD, SOFT, coin, draw, read_stl, shells, write_png
 from posture import posed
-from walls import wall_meshes
+from walls import places_and_normals_of, wall_meshes
 
 SOURCE = Path(__file__).resolve().parents[2]
 WIDTH, TALLEST = 900, 520  # px
@@ -42,6 +44,20 @@ def solids(folder, bodies):
     return mesh + Mesh(read_stl(folder / "soft.stl"), SOFT) if (folder / "soft.stl").exists() else mesh
 
 
+def places_and_normals_in(folder, result):
+    """Returns the middles of bodies and the normals of the sheet there, as the files of the folded state have them. An export may turn the
+    sheet: middles of the solids show by how much (Kabsch's method). None where solids are not the bodies."""
+    places, normals = places_and_normals_of(result)
+    corners = read_stl(folder / "hard.stl")
+    numbers = shells(corners)
+    if numbers.max() + 1 != len(places):
+        return None, None
+    middles = np.array([corners[numbers == k].mean(axis=(0, 1)) for k in range(len(places))])
+    u, _, v = np.linalg.svd((places - places.mean(axis=0)).T @ (middles - middles.mean(axis=0)))
+    rotation = (u @ np.diag([1, 1, np.sign(np.linalg.det(u @ v))]) @ v).T
+    return middles, normals @ rotation.T
+
+
 class Run:
     """A design of the gallery, searched and exported."""
 
@@ -61,12 +77,13 @@ class Run:
         self.is_exported = self.record["export"] == 0
         if self.is_exported:
             flat, folded = (solids(self.folder / state, self.result["structure"]["bodies"]) for state in ("flat", "folded"))
+            places, normals = places_and_normals_in(self.folder / "folded", self.result)
             self.print = json.loads((self.folder / "flat/print.json").read_text())
         else:
             flat, folded = wall_meshes(self.result)
+            places, normals = places_and_normals_of(self.result)
             self.print = None
-        self.flat = posed(flat, "flat").on_table()
-        self.folded = posed(folded, design.posture).on_table()
+        self.flat, self.folded = flat.on_table(), posed(folded, design.posture, places, normals).on_table()
 
     def scene(self):
         """Returns both states on one table, next to each other or one behind the other, with a coin."""

@@ -51,15 +51,24 @@ def read_stl(path):
 
 
 def shells(corners):
-    """Returns the number of the body of each triangle. Triangles of a body follow each other and share corners."""
-    numbers, known, number = np.zeros(len(corners), int), set(), 0
-    for k, triangle in enumerate(corners):
-        points = [tuple(point) for point in triangle]
-        if known and not any(point in known for point in points):
-            known, number = set(), number + 1
-        known.update(points)
-        numbers[k] = number
-    return numbers
+    """Returns the number of the body of each triangle: triangles of a body are connected by shared corners. Bodies are
+    numbered in the order of their first triangles."""
+    _, points = np.unique(np.round(corners.reshape(-1, 3), 4), axis=0, return_inverse=True)
+    triangles = points.reshape(-1, 3)
+    labels = np.arange(points.max() + 1)
+    while True:
+        least = labels[triangles].min(axis=1)
+        before = labels.copy()
+        for column in triangles.T:
+            np.minimum.at(labels, column, least)
+        labels = labels[labels]
+        if (labels == before).all():
+            break
+    of_triangles = labels[triangles[:, 0]]
+    _, first, numbers = np.unique(of_triangles, return_index=True, return_inverse=True)
+    order = np.empty(len(first), int)
+    order[np.argsort(first)] = np.arange(len(first))
+    return order[numbers]
 
 
 def coin():

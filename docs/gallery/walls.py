@@ -22,13 +22,23 @@ def plate(start, end, up, height, thickness):
     return [[corners[i] for i in face[:3]] for face in FACES] + [[corners[face[k]] for k in (0, 2, 3)] for face in FACES]
 
 
+def first_state(result):
+    return next(state for state in result["states"] if state["name"] == "target")
+
+
+def places_and_normals_of(result):
+    """Returns the place of each body and the normal of the sheet there, in the first state of the model (n x 3 each)."""
+    poses = first_state(result)["poses"]
+    return (np.array([pose["position_mm"] for pose in poses], float),
+            np.array([rotation_of(pose["quaternion_wxyz"])[:, 2] for pose in poses]))
+
+
 def wall_meshes(result):
     """Returns the half walls of a result, flat and in its first state of the model."""
     structure = result["structure"]
     sizes = structure["wall_mm"]
     rest = [np.array(body["position_mm"], float) for body in structure["bodies"]]
-    state = next(s for s in result["states"] if s["name"] == "target")
-    poses = [(np.array(p["position_mm"], float), rotation_of(p["quaternion_wxyz"])) for p in state["poses"]]
+    poses = [(np.array(p["position_mm"], float), rotation_of(p["quaternion_wxyz"])) for p in first_state(result)["poses"]]
     flat, folded, colours = [], [], []
     for hinge in structure["hinges"]:
         point, axis = np.array(hinge["point_mm"], float), np.array(hinge["axis"], float)
