@@ -36,7 +36,8 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.argv[1], "sweep", SWEEPS / f"{sweep}.yaml", "-o", f"{folder}/out", "--quiet"], check=True,
                            stdout=subprocess.DEVNULL)
-            rows = list(csv.DictReader(open(f"{folder}/out/samples.csv", encoding="utf-8")))
+            lines = Path(folder, "out/samples.csv").read_text(encoding="utf-8").splitlines()
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
         pairs = [(float(row[factor]), converted(float(row[response]))) for row in rows if abs(float(row[factor]) - 0.5) > 1e-9]
         largest = max(abs(value - law(at)) for at, value in pairs)
         for at, value in (pairs[len(pairs) // 4], pairs[3 * len(pairs) // 4]):
