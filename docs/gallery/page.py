@@ -7,8 +7,8 @@ Each design is a target file of the repository and one command. The pictures are
 as printed and folded. The disc is a 1 euro coin, 23.25 mm wide, to the same scale.
 
 Sizes are those of the exported solids. Forces are computed; without a `hinge:` section they are those of the friction of the
-hinges, 0.1 N mm/rad, which is assumed. `make gallery` runs all designs, draws them and writes this page; it takes {minutes} minutes
-of runs on two cores.
+hinges, 0.1 N mm/rad, which is assumed. `make gallery` runs all designs, draws them and writes this page. The searches
+took {minutes} minutes together on two cores, next to other work.
 """
 
 
