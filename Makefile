@@ -11,7 +11,9 @@
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
 # make soak: the long proofs that make test leaves out, and SOAK_FILES damaged files of every kind that is read, through
 #   the program under the address sanitizer.
-# make docs: write docs/formats.md and the schemas anew from the tables of keys.
+# make docs: write the pages of files in docs/reference and the schemas anew from the tables of keys, and outputs in pages from runs.
+# make gallery: run the designs of docs/gallery.md and draw them.
+# make site: build/site, the documentation for a browser.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PROGRAM_PACKAGES := build/.installed/program
@@ -22,7 +24,7 @@ FUZZ_RUNS ?= 100000
 SOAK_FILES ?= 1000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program soak bench bench-quick format docs packages clean mutants
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program soak bench bench-quick format docs gallery site packages clean mutants
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -35,7 +37,7 @@ python: $(PROGRAM_PACKAGES) build/.installed/python
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 
-package: python build/.installed/package
+package: site python build/.installed/package
 	cpack --config build/release/CPackConfig.cmake -B build/package
 
 install: program
@@ -57,7 +59,16 @@ dev: $(ALL_PACKAGES)
 docs: $(ALL_PACKAGES)
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS) --target kinetix-formats
+	cmake --build --preset dev -j $(JOBS) --target kinetix-opt
 	build/dev/bin/kinetix-formats .
+	tests/project/run_pages.py build/dev/bin/kinetix-opt . build/pages --write
+
+gallery: program
+	docs/gallery/draw.py build/release/bin/kinetix-opt build/gallery
+
+site: build/.installed/site
+	mkdocs build --quiet
+	doxygen docs/site/Doxyfile
 
 asan tsan: $(ALL_PACKAGES)
 	cmake --preset $@

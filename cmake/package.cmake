@@ -1,6 +1,8 @@
 # `make package`: kinetix_VERSION_ARCH.deb with program, library, documentation, manual, completion and, if it
 # was built, the Python module. dpkg-shlibdeps finds the shared libraries that it needs.
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The site, if `make site` has built it.
+install(DIRECTORY build/site/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY targets/shapes targets/sweeps DESTINATION ${CMAKE_INSTALL_DATADIR}/kinetix/targets
   PATTERN "__pycache__" EXCLUDE PATTERN "*.py" EXCLUDE)

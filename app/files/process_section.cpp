@@ -95,7 +95,7 @@ const targets::KeyTable& custom_process_keys() {
 }
 
 targets::Key key_of_process(const char* meaning) {
-  return {"process", value::either({value::choice(process_names()), value::map(custom_process_keys())}),
+  return {"process", value::either({value::choice(process_names()), value::map(process_keys())}),
           targets::by_default(process_names().front().c_str()), meaning};
 }
 
@@ -105,6 +105,11 @@ const model::Process& named(const targets::Node& node) {
 }
 
 }  // namespace
+
+const targets::KeyTable& process_keys() {
+  static const targets::KeyTable keys(custom_process_keys().keys(), {}, "Section process");
+  return keys;
+}
 
 targets::Key process_key() {
   return key_of_process(

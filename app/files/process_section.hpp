@@ -5,6 +5,8 @@
 
 namespace kinetix::app {
 
+/// Returns the keys of a `process:` that is a section.
+const targets::KeyTable& process_keys();
 /// Returns the `process:` key of a target: how it is to be printed, by name or as a section of differences from a
 /// base.
 targets::Key process_key();

@@ -1,12 +1,14 @@
 #include "app/formats/formats_page.hpp"
 
 #include <fmt/format.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
+#include "app/files/process_section.hpp"
 #include "app/formats/key_schema.hpp"
 #include "app/goals/registry.hpp"
 #include "app/imports/model_parts.hpp"
@@ -45,7 +47,7 @@ class SchemaTable {
 
   std::string text() {
     add_properties("", root_);
-    return "| key | what it is | meaning |\n|---|---|---|\n" + rows_;
+    return "| key | type | meaning |\n|---|---|---|\n" + rows_;
   }
 
  private:
@@ -149,11 +151,20 @@ void add_inner_maps(Rows& rows, const std::string& path, const targets::ValueTyp
     add_inner_maps(rows, type.kind == Kind::list ? path + "[]" : path, part);
 }
 
+/// Adds links to the sections that list the keys of shared maps.
+void add_links_to_shared(std::string& text, const targets::ValueType& type) {
+  if (type.kind == Kind::map && !type.keys->title().empty())
+    text += fmt::format(", [its keys](#{})", anchor(type.keys->title()));
+  if (type.kind == Kind::either)
+    for (const targets::ValueType& part : type.parts) add_links_to_shared(text, part);
+}
+
 std::string linked_type(const Rows& rows, const std::string& path, targets::ValueType type) {
   if (const auto words = rows.words.find(path); words != rows.words.end() && type.kind == Kind::choice)
     type.words = words->second;
-  if (type.kind != Kind::map || type.keys->title().empty()) return type_text(type);
-  return fmt::format("section, [see below](#{})", anchor(type.keys->title()));
+  std::string text = type_text(type);
+  add_links_to_shared(text, type);
+  return text;
 }
 
 void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& keys) {
@@ -168,7 +179,7 @@ void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& key
 }
 
 std::string key_table(const targets::KeyTable& keys) {
-  Rows rows{.text = "| key | what it may be | default | meaning |\n|---|---|---|---|\n", .said = {}};
+  Rows rows{.text = "| key | type and range | default | meaning |\n|---|---|---|---|\n", .said = {}};
   const std::string prefix =
       keys.title().empty() ? "" : keys.title().substr(keys.title().find(' ') + 1) + ".";
   add_map(rows, prefix, keys);
@@ -186,19 +197,35 @@ std::string metrics_table() {
   return text;
 }
 
-class Page {
- public:
-  explicit Page(SchemaText schema) : schema_(schema) {}
+/// Returns the anchors of a page's headings.
+std::set<std::string> anchors_of(const std::string& page) {
+  std::set<std::string> anchors;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#")) anchors.insert(anchor(line.substr(line.find_first_not_of("# "))));
+  return anchors;
+}
 
-  std::string filled(const std::string& page) {
-    std::istringstream lines(page);
-    std::string text;
-    for (std::string line; std::getline(lines, line);)
-      text += line.starts_with("{{") && line.ends_with("}}") ? table(line.substr(2, line.size() - 4))
-                                                             : line + "\n";
+class PageTemplate {
+ public:
+  explicit PageTemplate(SchemaText schema) : schema_(schema) {}
+
+  std::vector<FormatsPage> filled(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_mark = line.starts_with("{{") && line.ends_with("}}");
+      const std::string mark = is_mark ? line.substr(2, line.size() - 4) : "";
+      if (mark.starts_with("page "))
+        pages_.push_back({.name = mark.substr(5), .text = {}});
+      else if (pages_.empty())
+        throw InvalidInput("the template of formats has text before its first {{page NAME}}");
+      else
+        pages_.back().text += is_mark ? table(mark) : line + "\n";
+    }
     if (!unused_.empty())
-      throw InvalidInput("the page of formats leaves out {{keys " + *unused_.begin() + "}}");
-    return text;
+      throw InvalidInput("the pages of formats leave out {{keys " + *unused_.begin() + "}}");
+    link_pages();
+    return std::move(pages_);
   }
 
  private:
@@ -216,16 +243,38 @@ class Page {
         unused_.erase(list.name);
         return key_table(*list.keys);
       }
-    throw InvalidInput("the page of formats has the mark {{" + mark + "}}, which stands for nothing");
+    throw InvalidInput("the template of formats has the mark {{" + mark + "}}, which stands for nothing");
+  }
+
+  /// Puts the name of the page before each anchor of another page: tables and prose name headings alone.
+  void link_pages() {
+    std::map<std::string, std::string> page_of;
+    for (const FormatsPage& page : pages_)
+      for (const std::string& name : anchors_of(page.text)) page_of.emplace(name, page.name);
+    for (FormatsPage& page : pages_) {
+      const std::set<std::string> here = anchors_of(page.text);
+      for (std::size_t at = 0; (at = page.text.find("](#", at)) != std::string::npos; at += 3) {
+        const std::size_t begin = at + 3;
+        const std::string name = page.text.substr(begin, page.text.find(')', begin) - begin);
+        if (here.contains(name)) continue;
+        const auto found = page_of.find(name);
+        if (found == page_of.end())
+          throw InvalidInput("a page of formats links to #" + name + ", which no page has");
+        page.text.insert(at + 2, found->second);
+      }
+    }
   }
 
   SchemaText schema_;
+  std::vector<FormatsPage> pages_;
   std::set<std::string> unused_ = names_of_lists();
 };
 
 }  // namespace
 
-std::string formats_page(const std::string& page, SchemaText schema) { return Page(schema).filled(page); }
+std::vector<FormatsPage> formats_pages(const std::string& text, SchemaText schema) {
+  return PageTemplate(schema).filled(text);
+}
 
 std::vector<KeyList> all_keys() {
   std::vector<KeyList> lists;
@@ -235,7 +284,7 @@ std::vector<KeyList> all_keys() {
   lists.push_back({"assembly", &bodies_keys()});
   lists.push_back({"hinges", &hinge_choice_keys()});
   lists.push_back({"doe", &doe_keys()});
-  for (const targets::KeyTable* shared : {&hinge_keys(), &physics_keys()})
+  for (const targets::KeyTable* shared : {&hinge_keys(), &process_keys(), &physics_keys()})
     lists.push_back({shared->title(), shared});
   return lists;
 }

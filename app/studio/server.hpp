@@ -28,7 +28,7 @@ struct ConnectionHandlers {
 std::set<std::string> host_names(std::uint16_t port);
 
 /// Web server for pages on this machine that know a secret. It serves the files by HTTP, and one WebSocket
-/// per page (docs/studio.md, "Protocol").
+/// per page (studio-protocol.md, "Protocol").
 ///
 /// It listens on 127.0.0.1 only. Every request must have one of host_names() as its Host. A WebSocket's
 /// Origin must also be one of them, if it has an Origin. This rejects a foreign page whose name resolves to

@@ -18,7 +18,7 @@ struct Curve {
 constexpr std::array<Curve, 4> curves{{{60, "#0969da"}, {70, "#1a7f37"}, {75, "#bc4c00"}, {80, "#8250df"}}};
 constexpr std::array<double, 5> printed{0.05, 0.1, 0.15, 0.2, 0.25};  // mm, section 5.1 of the paper
 
-constexpr double friction = 0.1;  // N mm: of a pin that turns by a radian (docs/hinges.md section 2)
+constexpr double friction = 0.1;  // N mm: of a pin that turns by a radian (hinges.md section 2)
 
 std::string numbers(const auto& values, const char* format) {
   std::string text;

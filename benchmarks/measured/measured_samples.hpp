@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Printed samples that others have measured, as numbers with their source. docs/measured.md describes the samples.
+/// Printed samples that others have measured, as numbers with their source. measured.md describes the samples.
 namespace kinetix::bench {
 
 /// Width and height of a printed sheet in states of its one motion. Source:

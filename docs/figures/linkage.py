@@ -1,4 +1,4 @@
-"""Sheets of square cells of edge 1, and the closed forms of docs/kinematics.md that fold them.
+"""Sheets of square cells of edge 1, and the closed forms of kinematics.md that fold them.
 
 Vertices are pairs (i, j); a wall is (vertex, axis), axis 0 along x and 1 along y; a pose is (R, p).
 """

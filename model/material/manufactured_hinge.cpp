@@ -50,7 +50,7 @@ const Material* find_material(std::string_view name) {
 namespace {
 
 constexpr double pin_turn = 0.1;  // N mm/rad: friction 0.3 at a radius of 1.5 mm under 0.2 N
-constexpr double min_wall = 0.8;  // mm: for FDM, SLA and SLS (docs/hinges.md section 3)
+constexpr double min_wall = 0.8;  // mm: for FDM, SLA and SLS (hinges.md section 3)
 // Ratio of gap to thickness. Shorter elastomer hinges bulge sideways, which the formulas here neglect.
 constexpr double min_slenderness = 0.5;
 constexpr double rod_shear =

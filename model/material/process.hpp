@@ -57,7 +57,7 @@ struct Process {
   }
 };
 
-/// Returns the processes polyjet, fdm, sla, sls and laser (docs/hinges.md section 3).
+/// Returns the processes polyjet, fdm, sla, sls and laser (hinges.md section 3).
 const std::vector<Process>& processes();
 /// Finds a process by name. @return null for an unknown name
 const Process* find_process(std::string_view name);

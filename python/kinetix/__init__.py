@@ -1,6 +1,6 @@
 """kinetix: flat sheets that take a shape when you squeeze them, designed backwards.
 
-Lengths in mm, angles in rad, forces in N; files and dicts have degrees, in keys that end in ``_deg``. docs/python.md has
+Lengths in mm, angles in rad, forces in N; files and dicts have degrees, in keys that end in ``_deg``. python.md has
 examples.
 """
 

@@ -10,7 +10,7 @@ from typing import Any, Mapping, Union
 from .errors import InvalidInput
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
-"""A file's path, or a dict with the keys that such a file has (docs/formats.md)."""
+"""A file's path, or a dict with the keys that such a file has (formats.md)."""
 
 
 def _text(key: str, fault_text: str) -> InvalidInput:

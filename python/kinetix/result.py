@@ -163,7 +163,7 @@ class Result:
         return self._json
 
     def to_dict(self) -> Dict[str, Any]:
-        """Returns result.json as a dict (docs/formats.md)."""
+        """Returns result.json as a dict (formats.md)."""
         document: Dict[str, Any] = json.loads(self.json())
         return document
 

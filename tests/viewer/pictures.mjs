@@ -1,4 +1,4 @@
-// pictures.mjs FOLDER: the pictures of docs/studio.md, the way of somebody who makes a bracelet and a letter. Not a test; run as
+// pictures.mjs FOLDER: the pictures of studio.md, the way of somebody who makes a bracelet and a letter. Not a test; run as
 //   KINETIX_OPT=build/dev/bin/kinetix-opt node build/dev/tests/viewer/pictures.mjs docs/figures
 import path from "node:path";
 import {browser, folder, open, serve, wait} from "./studio.mjs";

@@ -87,7 +87,7 @@ bool is_printable_rod(const PrintSheet& sheet, int hinge);
 /// Returns these rods side by side, lying along x on the plane z = 0, mm; empty without any.
 model::Polyhedron laid_out_rods(const PrintSheet& sheet);
 
-/// Largest overhang that FDM prints without support, degrees from upright (docs/print.md section 3).
+/// Largest overhang that FDM prints without support, degrees from upright (print.md section 3).
 constexpr double steep_deg = 45;
 
 /// Returns the largest angle of a hinge axis from upright in the flat sheet, degrees, [0, 90].

@@ -55,7 +55,7 @@ struct SlicerSetting {
 };
 using SlicerSettings = std::vector<SlicerSetting>;
 
-/// Returns the settings of the job's objects for a slicer (docs/print.md section 4). Supports are off if none are
+/// Returns the settings of the job's objects for a slicer (print.md section 4). Supports are off if none are
 /// planned for FDM.
 /// @param shared for a file that several slicers read: only keys that Orca and Bambu have in common
 SlicerSettings object_settings(Slicer slicer, const PrintJob& job, bool shared = false);

@@ -143,6 +143,7 @@ function originGroup({raw, timing}) {
                  ["kinetix", formatValue(raw.kinetix_version)],
                  ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],
                  ["Format", formatValue(raw.schema)],
+                 ["Documentation", "share/doc/kinetix/html/index.html, or build/site/index.html after make site"],
                  ...times,
                ]));
 }

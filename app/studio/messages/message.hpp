@@ -47,7 +47,7 @@ std::string failure_message(const std::exception& error);
 /// Formats a number with `digits` significant digits; without an exponent from 0.01 to 99 999.
 std::string plain_number(double value, int digits = 3);
 
-/// Returns the message `hello` of docs/studio.md.
+/// Returns the message `hello` of studio-protocol.md.
 nlohmann::ordered_json hello_message(const std::string& name);
 /// Returns the message `design` without what only the session knows: revision, undo, redo, unsaved.
 nlohmann::ordered_json design_message(const Design& design, const Moving& moving);

@@ -13,7 +13,7 @@ namespace kinetix::app::studio {
 /// Method that computes a shape. The numbers are written into frames.
 enum class Mode { exact = 0, equilibrium = 1, bullet = 2 };
 
-/// A shape of the design, as the page shows it (docs/studio.md, "Frames").
+/// A shape of the design, as the page shows it (studio-protocol.md, "Frames").
 struct Frame {
   int revision = 0;  ///< of its design
   Mode mode = Mode::exact;
@@ -54,7 +54,7 @@ struct Text {
   std::shared_ptr<const std::string> bytes;
 };
 
-/// Messages that wait for a page. A message that describes the present (docs/studio.md, "What the page is
+/// Messages that wait for a page. A message that describes the present (studio-protocol.md, "What the page is
 /// told") replaces an older one of its type. All others accumulate, and their bytes are counted.
 class WaitingTexts {
  public:

@@ -9,7 +9,7 @@
 
 namespace kinetix::app::studio {
 
-/// Returns the message `result` (docs/studio.md) of the result.json next to a design file: its goal and its
+/// Returns the message `result` (studio-protocol.md) of the result.json next to a design file: its goal and its
 /// errors.
 /// Null if there is no such file, it cannot be read, it had no goal, or its sheet differs: bodies or hinges
 /// by more than the rounding of design files.
@@ -25,7 +25,7 @@ struct AutosavedDesign {
   nlohmann::ordered_json result = {};  ///< message of the result that it belongs to; null: none
 };
 
-/// Folder on the disk for a design that is not saved (docs/studio.md, "What is not saved"). It has the
+/// Folder on the disk for a design that is not saved (studio.md, "What is not saved"). It has the
 /// design.yaml, and the result.json if a search found the design. After a crash the next studio finds it
 /// there; a regular end moves it aside. Each running studio has a separate folder.
 class Autosave {

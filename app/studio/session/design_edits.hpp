@@ -5,7 +5,7 @@
 
 namespace kinetix::app::studio {
 
-/// Designs after a command of the page (docs/studio.md): `hinge`, `paint`, `sheet`, `made`, `driven`.
+/// Designs after a command of the page (studio-protocol.md): `hinge`, `paint`, `sheet`, `made`, `driven`.
 /// @throws InvalidInput if the design cannot be changed so
 Design with_hinges(Design design, const Message& message);
 Design with_cell(Design design, const Message& message);

@@ -33,22 +33,27 @@ std::string schema_text(const std::string& name) {
   return read_file(source + "/app/schema/" + name + ".schema.json");
 }
 
-TEST(FormatsPage, IsWhatTheTablesSay) {
-  const std::string page = formats_page(read_file(source + "/app/formats/page.in"), schema_text);
-  EXPECT_EQ(read_file(source + "/docs/formats.md"), page) << "write it anew by `make docs`";
+TEST(FormatsPages, AreWhatTheTablesSay) {
+  const auto pages = formats_pages(read_file(source + "/app/formats/page.in"), schema_text);
+  EXPECT_GE(pages.size(), 12u);
+  for (const FormatsPage& page : pages)
+    EXPECT_EQ(read_file(source + "/docs/reference/" + page.name), page.text)
+        << page.name << ": write it anew by `make docs`";
 }
 
-TEST(FormatsPage, NamesEveryResponse) {
-  const std::string page = read_file(source + "/docs/formats.md");
+TEST(FormatsPages, NameEveryResponse) {
+  const std::string page =
+      read_file(source + "/docs/reference/sweep.md") + read_file(source + "/docs/reference/result.md");
   for (const bool searches : {false, true})
     for (const Model model : {Model::exact, Model::equilibrium, Model::bullet})
       for (const std::string& name : metric_names({model, searches, goal_kinds().front()}))
         EXPECT_THAT(page, HasSubstr("`" + name + "`"));
 }
 
-TEST(FormatsPage, RefusesATableThatItLeavesOutAndAMarkThatStandsForNothing) {
-  EXPECT_THROW(formats_page("{{keys design}}\n", schema_text), InvalidInput);
-  EXPECT_THROW(formats_page("{{keys nothing}}\n", schema_text), InvalidInput);
+TEST(FormatsPages, RefuseATableThatIsLeftOutAndMarksThatStandForNothing) {
+  for (const char* text :
+       {"{{page design.md}}\n{{keys design}}\n", "{{page design.md}}\n{{keys nothing}}\n", "text\n"})
+    EXPECT_THROW(formats_pages(text, schema_text), InvalidInput) << text;
 }
 
 /// Written designs have offsets to the left and to the right of the middle of a wall.

@@ -12,7 +12,7 @@
 #include "model/material/manufactured_hinge.hpp"
 
 /// Prints with errors, computed independently of model/tolerance and model/elastic. They use separate random numbers.
-/// The energy of docs/hinges.md section 1 is a sum of squares in mm and rad. The Gauss-Newton method minimises it with
+/// The energy of hinges.md section 1 is a sum of squares in mm and rad. The Gauss-Newton method minimises it with
 /// difference quotients.
 namespace kinetix::testing {
 

@@ -20,7 +20,7 @@ using testing::FreeSheet;
 using testing::TemporaryFolder;
 using testing::WallSolids;
 
-/// Returns the number of prints. The figures of docs/hinges.md need 1000: KINETIX_PRINTS=1000 test_print_tolerance.
+/// Returns the number of prints. The figures of hinges.md need 1000: KINETIX_PRINTS=1000 test_print_tolerance.
 int count_prints() {
   const char* asked = std::getenv("KINETIX_PRINTS");
   return asked ? std::atoi(asked) : 40;

@@ -84,7 +84,7 @@ TEST(Sodalite, ItShrinksAlikeInAllDirections) {
   }
 }
 
-// Parallel edges have equal arms, and each direction has its own arm length (docs/kinematics.md section 8).
+// Parallel edges have equal arms, and each direction has its own arm length (kinematics.md section 8).
 TEST(Sodalite, MovesExactlyWithSixLengthsOfArms) {
   SodaliteStructure block = testing::block_with_arms({2, 2, 2}, {0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, {10, 0.8, 1});
   const ExactMotion exact = exact_motion(block);

@@ -1,4 +1,4 @@
-// The WebSocket to the program (docs/studio.md section 1): commands with promises, newest frames, messages by type.
+// The WebSocket to the program (studio-protocol.md section 1): commands with promises, newest frames, messages by type.
 
 const HEAD = 10;          // numbers before the poses
 const RETRY_MS = 1500;    // after the connection was lost

@@ -261,7 +261,7 @@ for (const [when, paper] of [["beforeprint", true], ["afterprint", false]])
     scene.draw(performance.now());
   });
 
-// ---- for tests and scripts (docs/studio.md section 2)
+// ---- for tests and scripts (studio-protocol.md section 2)
 
 let ready;
 window.kinetix = {

@@ -1,4 +1,4 @@
-// Text of a target.yaml (docs/formats.md). Lengths in mm, angles in degrees.
+// Text of a target.yaml (formats.md). Lengths in mm, angles in degrees.
 
 export const number = (value) => Number(Number(value).toFixed(3));
 export const pairs = (points) => `[${points.map(([x, y]) => `[${number(x)}, ${number(y)}]`).join(", ")}]`;
