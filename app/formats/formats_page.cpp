@@ -223,7 +223,7 @@ class PageTemplate {
         pages_.back().text += is_mark ? table(mark) : line + "\n";
     }
     if (!unused_.empty())
-      throw InvalidInput("the pages of formats leave out {{keys " + *unused_.begin() + "}}");
+      throw InvalidInput("the pages of formats lack {{keys " + *unused_.begin() + "}}");
     link_pages();
     return std::move(pages_);
   }

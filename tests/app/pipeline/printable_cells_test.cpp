@@ -306,6 +306,48 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_EQ(app::describe_effort(*run.folding), "no");
 }
 
+// Plates cannot hold the net of a box, and other motions begin at flat. The drive that is named leads to the box, also in
+// the elastic model, which does not know the exact motion.
+TEST(FindFolding, OfANetOfPinsEndsAtItsExactMotion) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\n");
+  ASSERT_TRUE(run.folding);
+  ASSERT_TRUE(run.folding->turns_freely);
+  ASSERT_TRUE(run.folding->drive);
+  EXPECT_FALSE(std::holds_alternative<model::Plates>(*run.folding->drive));
+  const Design design = app::written_design(run);
+  ASSERT_TRUE(design.drive);
+  const app::Run driven = run_design(design, app::Model::equilibrium, {});
+  ASSERT_TRUE(driven.equilibrium->reached());
+  EXPECT_LT(aligned_distance(design.structure, driven.equilibrium->path.state, run.own).rms,
+            0.1);  // cell edges
+}
+
+// The middle tendon of this panel is shortened more at negative theta. Other drives fold it as it was designed.
+TEST(FindFolding, OfAPanelOfPinsHasNoTendonThatFoldsItToTheOtherSide) {
+  const Scratch scratch;
+  const Design design = app::read_design(scratch.write(
+      "design.yaml",
+      "kinetix: 1\nstructure: {cells: [4, 2], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
+      "design: {theta_deg: 20, t: 0.4}\nhinge: {model: rotary, kind: pin, diameter_mm: 3, clearance_mm: "
+      "0.3}\n"));
+  const model::ExactMotion exact = exact_motion(design.structure);
+  ASSERT_TRUE(exact);
+  for (const model::TrialDrive& trial : trial_drives(design.structure, exact, design.theta))
+    if (trial.drive)
+      EXPECT_NEAR(exact.theta_of(*trial.drive), design.theta, 1e-6) << trial.name;
+    else
+      EXPECT_FALSE(trial.why_not.empty()) << trial.name;
+}
+
+TEST(FindFolding, PinsThatNoPushFoldsAreTurnedByHand) {
+  const Folding by_turns{.name = "one hinge after the other", .turns_freely = true};
+  EXPECT_TRUE(by_turns.is_by_turns());
+  EXPECT_EQ(app::describe_effort(by_turns), "by hand");
+  EXPECT_THAT(app::describe_folding(by_turns), HasSubstr("one hinge after the other"));
+  EXPECT_TRUE(app::load_json(by_turns, true).is_null());
+}
+
 TEST(FindFolding, EffortsAreThoseOfAHandAndAClamp) {
   const auto effort = [](double load, bool is_force) {
     return app::describe_effort({.name = "plates", .load = load, .is_force = is_force});
