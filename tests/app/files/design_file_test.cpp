@@ -146,11 +146,7 @@ TEST(DesignFile, RefusesPartsThatASheetDoesNotHave) {
   const std::string k = ", k: {axial: 1, shear: 1, along: 1, turn: 1}}]}\n";
   const BadInput cases[] = {
       {sheet + "at: creases" + k, 3, 23, "hinge.except[0].at", {"no hinge of this sheet is tilted"}},
-      {sheet + "at: {column: 4}" + k,
-       3,
-       23,
-       "hinge.except[0].at",
-       {"no column 4", "columns 0 to 3"}},
+      {sheet + "at: {column: 4}" + k, 3, 23, "hinge.except[0].at", {"no column 4", "columns 0 to 3"}},
       {sheet + "at: {row: 2}" + k, 3, 23, "hinge.except[0].at", {"no row 2", "rows 0 to 1"}},
       {sheet + "at: {row: 0, column: 0}" + k, 3, 23, "hinge.except[0].at", {"Give either"}},
       {sheet + "at: {}" + k, 3, 23, "hinge.except[0].at", {"Give either"}},

@@ -185,7 +185,8 @@ TEST(Fold, RefusesBadInputAndWritesNothing) {
       {head + "box: [4, 4, 4]}\nvariables: {beta: {range_deg: [10, 60]}}\n", "has one sign only"},
       {head + "box: [4, 4, 4]}\nvariables: {theta: {range_deg: [44, 44.9]}}\n", "variables"},
       {head + "box: [4, 4, 4]}\ntolerance: {angle: 1}\n", "did you mean `angle_deg`?"},
-      {head + "box: [4, 4, 4]}\ntolerance: {size: 0.01}\n", "tolerance.size: only applies together with target.box_mm"},
+      {head + "box: [4, 4, 4]}\ntolerance: {size: 0.01}\n",
+       "tolerance.size: only applies together with target.box_mm"},
       {head + "net: {faces: [{name: a, cells: [2, 2]}, {name: b, cells: [2, 2]}], creases: []}}\n",
        "Connect all faces"},
   };
