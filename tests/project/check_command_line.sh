@@ -16,7 +16,7 @@ completed() {
 }
 
 page=$(sed 's/\\-/-/g' "$source/app/cli/kinetix-opt.1")
-commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/p' | awk 'NR > 1 && NF {print $1}')
+commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/p' | sed -nE 's/^  ([a-z]+).*/\1/p')
 [ -n "$commands" ] || fault "no commands in --help"
 known=
 for command in "" $commands; do
