@@ -18,7 +18,6 @@
 #include "app/print/fit.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/short_summary.hpp"
 #include "app/result/state_json.hpp"
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"

@@ -18,4 +18,9 @@ std::string failure_text(const std::exception& error);
 /// also handles exceptions in threads of libraries. Allocates no memory.
 [[noreturn]] void terminate_with_message() noexcept;
 
+/// Rejects a file that a YAML file can name, or that `import` reads: points, pictures, meshes, drawings, crease patterns
+/// and 3D models. The message has the lines of a YAML file that uses it.
+/// @param file of a command line that expects a YAML file; it need not exist @throws InvalidInput for such a file
+void refuse_wrong_file(const std::string& file);
+
 }  // namespace kinetix::app

@@ -11,7 +11,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
 #include "app/cli/main_options.hpp"
-#include "app/cli/wrong_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/fit.hpp"

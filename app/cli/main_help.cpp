@@ -1,4 +1,4 @@
-#include "app/cli/main_help.hpp"
+#include "app/cli/main_options.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

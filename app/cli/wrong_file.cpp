@@ -1,4 +1,4 @@
-#include "app/cli/wrong_file.hpp"
+#include "app/cli/error_report.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

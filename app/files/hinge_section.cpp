@@ -108,18 +108,15 @@ std::vector<targets::Key> stiffness_and_shape() {
       {"diameter_mm", &ManufacturedHinge::diameter_mm,
        value::length(targets::between(0, 0.5, "mm (below half a cell)")),
        targets::otherwise(fmt::format("needed by pins; {:g} mm for a rod", model::usual_rod_mm)),
-       "diameter of the rod of a pin. Its knuckle is wider by 1.6 mm and two clearances, and at most 0.7 "
-       "cells"},
+       "diameter of a pin's rod. Its knuckle is wider by 1.6 mm and two clearances, at most 0.7 cells"},
       {"clearance_mm", &ManufacturedHinge::clearance_mm,
        value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "clearance between rod and bore of a pin, per side"},
       {"play", &ManufacturedHinge::with_play, value::boolean(),
        "whether a pin moves freely within its clearance. Nothing resists in this dead band, so the "
        "equilibrium of a sheet is not unique"},
-      targets::Key(
-          "round_caps", &ManufacturedHinge::caps, value::boolean(),
-          "whether all pins get identical round caps about the middle of their walls. The caps are as "
-          "large as the hinge with the largest offset needs, and hide where the axes are")
+      targets::Key("round_caps", &ManufacturedHinge::caps, value::boolean(),
+                   "whether all pins get identical round caps. They fit the largest offset and hide the axes")
           .formerly("caps"),
   };
 }

@@ -1,7 +1,8 @@
-#include "app/print/cut_report.hpp"
+#include "app/print/print_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/print/format/cut_drawing.hpp"

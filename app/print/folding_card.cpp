@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/print/format/sheet_drawing.hpp"
-#include "app/print/rod_list.hpp"
+#include "app/print/print_report.hpp"
 #include "app/result/motion_evidence.hpp"
 
 namespace kinetix::app {

@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
-#include "app/print/cut_report.hpp"
 #include "app/print/format/print_format.hpp"
-#include "app/print/rod_list.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
 #include "app/result/motion_evidence.hpp"

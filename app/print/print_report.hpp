@@ -33,4 +33,20 @@ std::vector<std::string> print_warnings(const PrintJob& job);
 std::string add_to_report(const std::string& design_file, const Design& design,
                           const nlohmann::ordered_json& print);
 
+/// Describes the rods that are separate parts: number and lengths, where they come from, and how they are pushed in.
+/// No full stop at the end. @pre there are such rods
+std::string describe_rods(const PrintSheet& sheet);
+
+/// Returns the list `rods` of print.json: rods of one size and material each.
+nlohmann::ordered_json rods_json(const PrintSheet& sheet);
+
+/// Labels and texts of print.txt.
+using CutLines = std::vector<std::pair<const char*, std::string>>;
+
+/// Describes the sheet to cut, the cuts and the strain of the bridges. @pre the process cuts sheets
+CutLines describe_cut(const PrintSheet& sheet);
+
+/// Returns the section `cut` of print.json; null for a process that prints.
+nlohmann::ordered_json cut_json(const PrintSheet& sheet);
+
 }  // namespace kinetix::app

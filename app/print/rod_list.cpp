@@ -1,7 +1,8 @@
-#include "app/print/rod_list.hpp"
+#include "app/print/print_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "app/print/format/print_format.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/result/short_summary.hpp"
+#include "app/result/summary.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "app/exports/exporters.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/short_summary.hpp"
+#include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"

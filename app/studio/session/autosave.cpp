@@ -5,8 +5,8 @@
 
 #include "app/files/bodies_section.hpp"
 #include "app/io/bytes.hpp"
-#include "app/result/short_summary.hpp"
 #include "app/result/state_json.hpp"
+#include "app/result/summary.hpp"
 #include "app/studio/messages/message.hpp"
 #include "targets/document/text_file.hpp"
 

@@ -7,7 +7,7 @@
 #include "app/print/export_command.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/short_summary.hpp"
+#include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/studio/messages/message.hpp"
 #include "app/studio/session/session.hpp"
