@@ -229,7 +229,7 @@ Folding folding_by(const std::string& name, const model::LinkageDrive& drive, do
   return {.name = name, .drive = as_in_design(drive), .load = load, .is_force = drive.has_force()};
 }
 
-constexpr int max_bodies_to_fold = 180;    // above this, paths of soft hinges take longer than the search
+constexpr int max_bodies_to_fold = 180;    // above this, equilibrium paths take longer than the search
 constexpr int most_iterations = 15;        // per step: a fold near its exact motion needs about 5
 constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs shorter ones is about to buckle
 constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
@@ -261,25 +261,35 @@ DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const
 
 constexpr double start_of_fold = 0.06;     // rad of theta: other motions begin at flat, and are apart by then
 constexpr double start_departure = 0.005;  // rad of a hinge from the exact motion: friction alone leaves less
+constexpr double lost_departure = 0.05;    // rad of a hinge: the sheet is on another motion
+constexpr double start_min_step = 5e-3;    // rad of theta: paths that need shorter steps are about to branch
 
 /// Checks whether a drive takes a sheet of pins from flat along its exact motion. Pins turn freely, so that motion is the
 /// only one near a state that has left flat.
 bool starts_along_motion(const SheetToFold& sheet, const EstimatedDrive& drive, const std::stop_token& stop) {
+  std::stop_source ends;
   model::EquilibriumPathOptions path = path_of_run(all_vertical(sheet.linkage));
   path.contact = false;
-  path.stop = stop;
+  path.min_step = start_min_step;
+  path.newton.max_iterations = most_iterations;
+  path.stop = ends.get_token();
+  const auto see = [&](const model::EquilibriumStep&, const model::State& state) {
+    if (stop.stop_requested() || !(departure(sheet, state) <= lost_departure)) ends.request_stop();
+  };
   const double part = std::min(1.0, start_of_fold / std::abs(sheet.theta));
   const model::LinkageDrive start = drive.drive.to(part * drive.drive.theta());
   const model::EquilibriumPath traced =
-      trace_equilibrium({sheet.linkage, start, sheet.exact}, elasticity_of(sheet.design), path);
+      trace_equilibrium({sheet.linkage, start, sheet.exact}, elasticity_of(sheet.design), path, see);
   return traced.stop == model::EquilibriumPath::Stop::reached && traced.theta * sheet.theta > 0 &&
          departure(sheet, traced.state) <= start_departure;
 }
 
-/// Finds the drive that folds a sheet of pins. If each takes it to another fold, its hinges are turned one by one.
+/// Finds the drive that folds a sheet of pins. If each takes it to another fold, its hinges are turned one by one. Large
+/// sheets have the first drive, which is not followed.
 std::optional<Folding> free_folding(const SheetToFold& sheet, const std::stop_token& stop) {
+  const bool is_large = sheet.design.structure.bodies() > max_bodies_to_fold;
   for (const EstimatedDrive& drive : estimated_drives(sheet)) {
-    const bool is_along = starts_along_motion(sheet, drive, stop);
+    const bool is_along = is_large || starts_along_motion(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;
     if (!is_along) continue;
     Folding found = folding_by(drive.name, drive.drive, drive.load);
