@@ -222,8 +222,7 @@ class PageTemplate {
       else
         pages_.back().text += is_mark ? table(mark) : line + "\n";
     }
-    if (!unused_.empty())
-      throw InvalidInput("the pages of formats lack {{keys " + *unused_.begin() + "}}");
+    if (!unused_.empty()) throw InvalidInput("the pages of formats lack {{keys " + *unused_.begin() + "}}");
     link_pages();
     return std::move(pages_);
   }

@@ -90,7 +90,7 @@ SearchResult fitted_to_drive(SearchResult found, const RunOptions& options) {
 }
 
 /// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design. Drives are
-/// found at once for pins, which turn freely, and for processes that cannot print them.
+/// found at once for processes that cannot print pins, since hinges fit their drive.
 SearchResult searched(const Goal& goal, const RunOptions& options) {
   SearchResult found = goal.search(options);
   found.design.name = goal.name;
@@ -107,8 +107,7 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   found.print = options.printable(requested_design(found));
   if (!found.print->is_accepted || !has_free_choice(found)) return found;
   found.design = with_manufactured_hinges(found.design, found.print->made);
-  if (!has_open_drive(found)) return found;
-  if (has_pins_alone(found.design)) return with_folding(std::move(found), options);
+  if (!has_joints(found) || has_pins_alone(found.design)) return found;
   return can_have_pins(found) ? found : fitted_to_drive(with_folding(std::move(found), options), options);
 }
 
