@@ -20,7 +20,7 @@ const char* const commands[] = {"", "verify", "simulate", "sweep", "check", "exp
 
 std::string help_of(const std::string& command) { return kinetix_opt(command + " --help").out; }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
@@ -38,14 +38,14 @@ std::set<std::string> options_in(const std::string& text) {
 /// Returns the examples in a help text.
 std::vector<std::string> examples_in(const std::string& help) {
   std::vector<std::string> examples;
-  for (const std::string& line : lines_of(help))
+  for (const std::string& line : split_lines(help))
     if (line.starts_with("  kinetix-opt ")) examples.push_back(line);
   return examples;
 }
 
 TEST(Help, FitsIntoEightyColumns) {
   for (const char* command : commands)
-    for (const std::string& line : lines_of(help_of(command)))
+    for (const std::string& line : split_lines(help_of(command)))
       EXPECT_LE(line.size(), widest_line) << command << ": " << line;
 }
 

@@ -55,7 +55,7 @@ TEST(ReadCurve, NamesLineAndColumnOfTheCsv) {
       {"x,z\n0,0\n1,abc\n", 3, 3, "", {"`abc` is not a number", "in mm"}},
       {"x,z\n0,0\n1 cm,2\n", 3, 1, "", {"has a unit", "in mm"}},
       {"x,z\n0,0\n1,\n", 3, 3, "", {"is empty", "a number from -1000000 to 1000000, in mm"}},
-      {"x,z\n0,0\n1\n", 3, 1, "", {"has 1 column", "give two"}},
+      {"x,z\n0,0\n1\n", 3, 1, "", {"has 1 column", "Give two"}},
       {"x,z\n0,0,\n", 2, 1, "", {"has 3 columns", "decimals with a point"}},
       {"x,z\n0;0\n", 2, 1, "", {"comma, not by `;`"}},
       {"x,z\n0,nan\n", 2, 3, "", {"not a finite number"}},

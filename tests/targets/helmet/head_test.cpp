@@ -239,7 +239,7 @@ TEST(Head, RefusesACoverageThatTheMeshDoesNotReach) {
 }
 
 TEST(Head, RefusesAFrontAlongUp) {
-  EXPECT_THAT(says(head_with_ears(90, 60), {.front = -Vector3d::UnitZ()}, "front"), HasSubstr("across"));
+  EXPECT_THAT(says(head_with_ears(90, 60), {.front = -Vector3d::UnitZ()}, "front"), HasSubstr("perpendicular"));
 }
 
 /// 3 x 2 cells of 10 mm with walls 4 mm high, flat, round the origin.
@@ -347,7 +347,7 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
       {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, m, in"}},
       {"{mesh: head.obj, units: m}", 1, 33, "target.units", {"Give `units: mm` for"}},
       {"{mesh: head.obj, up: w}", 1, 30, "target.up", {"`w` is not known", "-z"}},
-      {"{mesh: head.obj, up: z, front: -z}", 1, 40, "target.front", {"across"}},
+      {"{mesh: head.obj, up: z, front: -z}", 1, 40, "target.front", {"perpendicular"}},
       {"{mesh: head.obj, crown: [0, 0]}", 1, 33, "target.crown", {"[x, y, z]"}},
       {"{mesh: head.obj, crown: [0, 0, .nan]}", 1, 40, "target.crown[2]", {"number"}},
       {"{mesh: head.obj, crown: [0, 0, 300]}", 1, 33, "target.crown", {"185 mm from the mesh"}},
