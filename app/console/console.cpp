@@ -189,7 +189,7 @@ void Console::stage(const std::string& name, double done, const std::string& not
     next_ = since_ + interval();
     left_ = {};
     repeats_ = true;
-    if (!terminal_ && logs_starts_) log().info("{} ...", name);
+    if (!terminal_ && logs_starts_) log().info("{} ...{}", name, note.empty() ? "" : " " + note);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
   const bool changes = is_new || percent != shown_percent_ || note != note_ || so_far != so_far_;
@@ -205,6 +205,7 @@ void Console::stage_once(const std::string& name, const std::string& note) {
   stage(name, -1, note);
   const std::lock_guard lock(mutex_);
   repeats_ = false;
+  if (!quiet_ && !terminal_ && !logs_starts_) show();
 }
 
 void Console::error(const std::string& message) {

@@ -229,7 +229,8 @@ Folding folding_by(const std::string& name, const model::LinkageDrive& drive, do
   return {.name = name, .drive = as_in_design(drive), .load = load, .is_force = drive.has_force()};
 }
 
-constexpr int max_bodies_to_fold = 180;    // above this, equilibrium paths take longer than the search
+constexpr int max_bodies_to_fold = 180;    // above this, paths of soft hinges take longer than the search
+constexpr int max_bodies_to_start = 100;   // above this, the first steps of stiff pins do
 constexpr int most_iterations = 15;        // per step: a fold near its exact motion needs about 5
 constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs shorter ones is about to buckle
 constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
@@ -287,7 +288,7 @@ bool starts_along_motion(const SheetToFold& sheet, const EstimatedDrive& drive, 
 /// Finds the drive that folds a sheet of pins. If each takes it to another fold, its hinges are turned one by one. Large
 /// sheets have the first drive, which is not followed.
 std::optional<Folding> free_folding(const SheetToFold& sheet, const std::stop_token& stop) {
-  const bool is_large = sheet.design.structure.bodies() > max_bodies_to_fold;
+  const bool is_large = sheet.design.structure.bodies() > max_bodies_to_start;
   for (const EstimatedDrive& drive : estimated_drives(sheet)) {
     const bool is_along = is_large || starts_along_motion(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;

@@ -50,7 +50,7 @@ def advice_of(errors, refusal):
     """Lists advice: ("keys", YAML of structure) or ("option", words of the command line)."""
     found = [("keys", keys) for keys in re.findall(r"with `structure: (\{.*?\})` the goal is met", errors)]
     found += [("keys", f"{{cells: {cells}}}") for cells in re.findall(r"a panel of (\[\d+, \d+\]) cells shows", errors)]
-    found += [("option", option) for option in re.findall(r"\(kinetix-opt export (--\S+ \S+)\)", refusal)]
+    found += [("option", option) for option in re.findall(r"[Gg]ive (--cell-mm [0-9.]+)", refusal)]
     return found
 
 

@@ -51,7 +51,7 @@ TEST(Export, RefusesOptionsOfDesignsForACoupon) {
     const Outcome coupon =
         kinetix_opt(fmt::format("export --coupon {} -o {}", option, std::string(scratch / "coupon")));
     EXPECT_EQ(coupon.code, 2) << option;
-    EXPECT_THAT(coupon.err, HasSubstr("of designs: a coupon")) << option;
+    EXPECT_THAT(coupon.err, HasSubstr("only applies to designs: ")) << option;
     EXPECT_FALSE(fs::exists(scratch / "coupon"));
   }
 }

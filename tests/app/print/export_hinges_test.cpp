@@ -77,7 +77,7 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
   const Outcome refused = exported(scratch, design, "--format stl --hinge pin");
   std::smatch edge;
   ASSERT_TRUE(std::regex_search(refused.err, edge,
-                                std::regex(R"(would do \(kinetix-opt export --cell-mm ([0-9.]+)\))")))
+                                std::regex(R"(give --cell-mm ([0-9.]+))")))
       << refused.err;
   EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + edge.str(1)).code, 0);
   const double less = std::stod(edge.str(1)) - 0.5;
@@ -309,7 +309,7 @@ TEST(Export, SaysHowNearPartsComeThatNeedNotKeepApart) {
     EXPECT_EQ(exported(scratch, design, "--format stl").code, 0);
     std::smatch found;
     const std::string text = text_of(scratch / "out/print.txt");
-    EXPECT_TRUE(std::regex_search(text, found, std::regex("fold +([0-9.]+) mm stay"))) << text;
+    EXPECT_TRUE(std::regex_search(text, found, std::regex("motion +solids stay ([0-9.]+) mm apart"))) << text;
     return found.empty() ? 0 : std::stod(found[1]);
   };
   const double blocks = fold_mm("");

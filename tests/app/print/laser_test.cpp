@@ -165,7 +165,7 @@ TEST(Laser, DrawsACouponOfBridges) {
   EXPECT_EQ(cut["pieces"], 7);
   EXPECT_NEAR(cut["bridges"]["width_mm"][0], 0.4, 1e-9);
   EXPECT_NEAR(cut["bridges"]["width_mm"][1], 1.6, 1e-9);
-  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("least_film_mm"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("min_film_mm"));
 }
 
 }  // namespace
