@@ -82,7 +82,8 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   if (!base.design || base.has_bodies()) return names;
   for (const char* group : groups_of_hinges(base))
     for (const HingeNumber& number : hinge_numbers)
-      names.insert(fmt::format("design.{}[*].{}", group, number.key));
+      for (const std::string_view key : {std::string_view(number.key), number.old_key})
+        if (!key.empty()) names.insert(fmt::format("design.{}[*].{}", group, key));
   return names;
 }
 

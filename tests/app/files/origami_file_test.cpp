@@ -101,8 +101,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   expect_refused("[]", "its JSON is not an object");
   expect_refused(replaced(good, "faces_vertices", "faces"), "it has no `faces_vertices`");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "face 0 has 3 corners");
-  expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10, 99]"),
-                 "face 0 refers to a missing vertex");
+  expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10, 99]"), "face 0 refers to a missing vertex");
   mesh.at(1, 1) += Eigen::Vector2d(0.1, 0.05);
   expect_refused(fold_text(mesh, 9),
                  "vertex 10 is not flat-foldable: opposite angles between its creases add up to");

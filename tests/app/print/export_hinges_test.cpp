@@ -76,9 +76,7 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
   const Scratch scratch;
   const Outcome refused = exported(scratch, design, "--format stl --hinge pin");
   std::smatch edge;
-  ASSERT_TRUE(std::regex_search(refused.err, edge,
-                                std::regex(R"(give --cell-mm ([0-9.]+))")))
-      << refused.err;
+  ASSERT_TRUE(std::regex_search(refused.err, edge, std::regex(R"(give --cell-mm ([0-9.]+))"))) << refused.err;
   EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + edge.str(1)).code, 0);
   const double less = std::stod(edge.str(1)) - 0.5;
   EXPECT_EQ(exported(scratch, design, "--format stl --hinge pin --cell-mm " + std::to_string(less)).code,

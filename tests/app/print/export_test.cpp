@@ -136,8 +136,7 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
               HasSubstr("--state folded has no effect in mjcf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
   EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("has no effect"), std::string::npos);
-  EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("orientation  folded, as its motion leaves it"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("orientation  folded, as its motion leaves it"));
 }
 
 /// Support depends on the overhang in the sheet's orientation, and on support material that the process adds itself.

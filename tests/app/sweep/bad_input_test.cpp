@@ -43,7 +43,7 @@ const Bad bad_sweeps[] = {
      "Give exactly one of `range:"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, normal: {mean: 20, sd: 0}}\n", "end_mm"),
      "sd"},
-    {sweep_of("{kind: factorial}", theta + theta, "end_mm"), "two factors are called `design.theta_deg`"},
+    {sweep_of("{kind: factorial}", theta + theta, "end_mm"), "two factors have the name `design.theta_deg`"},
     {sweep_of("{kind: factorial}",
               "  - {path: \"design.walls[0].t\", range: [0.2, 0.4]}\n"
               "  - {path: \"design.hinges[0].t\", range: [0.2, 0.4]}\n",
@@ -142,7 +142,7 @@ TEST(SweepBadInput, WhatMeasuresDesignsIsRefusedWhereTheBaseIsATarget) {
       run_sweep_in(scratch, sweep_of("{kind: factorial}", cell, "shape_rms", "goal: other.yaml\n"), "",
                    flat + "structure: {cells: [8, 1], cell_mm: 10}\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("goal: measures designs"));
+  EXPECT_THAT(run.err, HasSubstr("goal: only applies to designs"));
 }
 
 TEST(SweepBadInput, AFolderThatCannotBeWrittenIsNamed) {

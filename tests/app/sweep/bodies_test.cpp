@@ -149,7 +149,7 @@ TEST(SweepOfBodies, RefusesWhatIsForSheets) {
   const std::string equilibrium = pair_sweep("equilibrium", angle, "end_mm");
   const std::pair<std::string, std::string> bad[] = {
       {equilibrium + "start: base\n", "start: only applies to sheets"},
-      {equilibrium + "goal: curve.yaml\n", "goal: measures sheets"},
+      {equilibrium + "goal: curve.yaml\n", "goal: only applies to sheets"},
       {pair_sweep("exact", angle, "area_ratio"), "`area_ratio` is not a metric of this model"},
       {pair_sweep("exact", angle, "load_Nmm"), "`load_Nmm` is not a metric of this model"},
       {pair_sweep("equilibrium", angle, "stable_states"), "`stable_states` is not a metric of this model"},

@@ -41,7 +41,7 @@ const std::string films = "hinge: {kind: film, model: elastic, material: pp, gap
 /// Returns the warning about prints on the other side, if any.
 std::string side_warning(const Run& run) {
   for (const Problem& problem : verdict_of(run).problems)
-    if (problem.text.find("press from flat") != std::string::npos) return problem.text;
+    if (problem.text.find("pressed from flat") != std::string::npos) return problem.text;
   return "";
 }
 
@@ -54,10 +54,10 @@ TEST(PrintsPressedFromFlat, WithPinsThatPlayArePushedToASideByTheirErrors) {
   EXPECT_GT(starts.other_side, 0);
   EXPECT_LT(starts.other_side, 20);
   EXPECT_EQ(print_tolerance_json(one.run)["from_flat"]["other_side"], starts.other_side);
-  EXPECT_EQ(
-      side_warning(one.run),
-      "of 20 sample prints that plates press from flat " + std::to_string(starts.other_side) +
-          " fold to the other side: bend the sheet a little to its side by hand before the plates close");
+  EXPECT_EQ(side_warning(one.run), "pressed from flat, of 20 simulated prints " +
+                                       std::to_string(starts.other_side) +
+                                       " fold in the opposite direction. Bend the sheet a little in its fold "
+                                       "direction before you press it");
 }
 
 TEST(PrintsPressedFromFlat, WithFilmsFoldToEitherSide) {
@@ -65,7 +65,7 @@ TEST(PrintsPressedFromFlat, WithFilmsFoldToEitherSide) {
   ASSERT_TRUE(one.run.printed && one.run.printed->from_flat);
   EXPECT_EQ(print_tolerance_json(one.run)["from_flat"],
             (nlohmann::ordered_json{{"prints", 20}, {"other_side", 0}, {"either_side", 20}, {"failed", 0}}));
-  EXPECT_THAT(side_warning(one.run), HasSubstr("flat 20 fold to either side by chance: bend"));
+  EXPECT_THAT(side_warning(one.run), HasSubstr("prints 20 fold in either direction. Bend"));
 }
 
 // Springs push to one side, and hinges without stiffness are not pressed. Both need no such prints.

@@ -239,7 +239,8 @@ TEST(Head, RefusesACoverageThatTheMeshDoesNotReach) {
 }
 
 TEST(Head, RefusesAFrontAlongUp) {
-  EXPECT_THAT(says(head_with_ears(90, 60), {.front = -Vector3d::UnitZ()}, "front"), HasSubstr("perpendicular"));
+  EXPECT_THAT(says(head_with_ears(90, 60), {.front = -Vector3d::UnitZ()}, "front"),
+              HasSubstr("perpendicular"));
 }
 
 /// 3 x 2 cells of 10 mm with walls 4 mm high, flat, round the origin.
