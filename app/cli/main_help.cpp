@@ -44,7 +44,8 @@ exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
   4 simulation disagrees or failed   130 Ctrl-C before there was a result
 
-documentation: share/doc/kinetix/html/index.html, or build/site/index.html after make site
+documentation: share/doc/kinetix/html/index.html,
+  or build/site/index.html after make site
 )";
 
 /// Breaks a text into lines of at most `width` characters. Continuation lines start with `indent` more spaces.

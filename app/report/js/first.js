@@ -1,7 +1,7 @@
 // First screen: pictures of the folded and the flat sheet, verdict, sizes in mm, force, print tolerance.
 
 const LONG_SHEET = 3;         // ratio of width to height: longer sheets are below the folded picture, not beside it
-const SHOT_HEIGHT = 330;      // largest height, CSS pixels: both pictures and the verdict fit a screen of 800
+const SHOT_HEIGHT = 280;      // largest height, CSS pixels: both pictures and the verdict fit a screen of 800
 const SHOT_MARGIN = 10;       // CSS pixels around a picture
 const FOLDED_COLUMN = 1.35;   // column width of the folded picture over that of the flat one, as in the style sheet
 const NARROW = "(max-width: 700px)";  // screens with one picture below the other, as in the style sheet

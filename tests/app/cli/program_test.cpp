@@ -134,7 +134,7 @@ TEST(Program, SaysWhichFileAResultNeeds) {
   const Outcome searched = kinetix_opt(result);
   EXPECT_EQ(searched.code, 2);
   EXPECT_THAT(searched.err, HasSubstr("this file is a result"));
-  EXPECT_THAT(searched.err, HasSubstr("give " + found + "/design.yaml"));
+  EXPECT_THAT(searched.err, HasSubstr("Give " + found + "/design.yaml"));
   fs::remove(found + "/design.yaml");
   for (const auto& [command, options] : {std::pair("verify ", ""),
                                          {"simulate ", ""},

@@ -135,7 +135,7 @@ TEST(Import, TakesSmallModelsForInches) {
   const Json found = imported(
       scratch, scratch.write("pair.obj",
                              Obj().add("a", "hard", a).add("b", "hard", b).add("c", "soft", small).text()));
-  EXPECT_THAT(found["unit"].get<std::string>(), HasSubstr("inches, guessed"));
+  EXPECT_THAT(found["unit"].get<std::string>(), HasSubstr("inches, inferred"));
 }
 
 /// Returns a 3MF file of one solid, in centimetres.
@@ -399,8 +399,7 @@ TEST(Import, RefusesMoreThanAMillionTriangles) {
   Polyhedron soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   soup.triangles.assign(1'000'001, {0, 1, 2});
-  expect_refused("model.stl", app::stl_text("many", soup),
-                 "has 1000001 triangles; at most 1000000 are allowed");
+  expect_refused("model.stl", app::stl_text("many", soup), "has 1000001 triangles, and the limit is 1000000");
 }
 
 TEST(Import, NamesFileAndPartOfWhatIsNoSolid) {

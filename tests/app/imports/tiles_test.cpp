@@ -216,11 +216,11 @@ TEST(TileImport, SaysWhereAFileIsWrong) {
   };
   with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: this is not a number");
   with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: this is not a number");
-  with("vertices.txt", "0 0 0 1 0 0 1 1\n", "vertices.txt:1:1: has 8 numbers");
+  with("vertices.txt", "0 0 0 1 0 0 1 1\n", "vertices.txt:1:1: the line has 8 numbers");
   with("vertices.txt", "\n\n", "vertices.txt: the file has no tiles");
   with("constraints.txt", "0 1 1 0 4\n",
        "constraints.txt:1:9: face 4 is not known. Give 1 (bottom), 2 (top) or 3 (both)");
-  with("constraints.txt", "0 1 1\n", "constraints.txt:1:1: has 3 numbers");
+  with("constraints.txt", "0 1 1\n", "constraints.txt:1:1: the line has 3 numbers");
   with("constraints.txt", "0 1 1 0.5 3\n", "constraints.txt:1:7: this is not a whole number");
   with("constraints.txt", "0 1 9 0 3\n", "squares: joint 1: the file has no tile 9");
   with("target.txt", "0 0 0 1 0 0 1 1 0\n", "target.txt: the file has 1 tiles, and vertices.txt has 2");

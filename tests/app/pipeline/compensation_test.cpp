@@ -291,7 +291,7 @@ TEST(Matter, AnOutlineWithHingesNeedsItsCells) {
       finished(scratch,
                "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [9, 0], [9, 9], [0, 9]]}\n" + rubber)
           .err,
-      HasSubstr("goal.yaml:3:1: hinge: needs structure.cell_mm"));
+      HasSubstr("goal.yaml:3:1: hinge: the size of a hinge needs a known cell size"));
 }
 
 const std::string film_creases =
@@ -513,7 +513,7 @@ TEST(Matter, KindsWithoutARobustSearchSayWhichHaveOne) {
   const Scratch scratch;
   const Finished run = finished(scratch, "kinetix: 1\ntarget: {kind: display, glyph: T}\nrobust: true\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("3:9: robust"), HasSubstr("these have: curve, fold")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("3:9: robust"), HasSubstr("use one of: curve, fold")));
   const Finished solid =
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, solid: octahedron}\nrobust: true\n");
   EXPECT_EQ(solid.code, 2);
@@ -587,7 +587,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
       {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
       {arc + "drive: {kind: shape_memory, k_turn: 5}\n", "drive: shape_memory needs elastic hinges"},
-      {arc + rubber + "drive: {kind: heat}\n", "usual, shape_memory"},
+      {arc + rubber + "drive: {kind: heat}\n", "auto, shape_memory"},
   };
   for (const auto& [text, message] : cases) {
     const Scratch scratch;
