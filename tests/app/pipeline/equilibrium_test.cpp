@@ -483,7 +483,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "structure: {cells: [2, 2], cell_mm: 10, wall_mm: {height: 1e-300}}",
                   "a number from 0.0001 to 10000, in mm"},
         BadDesign{"a_cell_twice", "structure: {cells: [[0, 0], [1, 0], [0, 0]]}",
-                  "cell [0, 0] is given twice"},
+                  "cell [0, 0] is listed twice"},
         BadDesign{"cells_apart", "structure: {cells: [[0, 0], [5, 5]]}",
                   "cell [5, 5] does not hang together"},
         BadDesign{"walls_that_overlap_flat",
