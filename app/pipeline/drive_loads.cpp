@@ -202,11 +202,6 @@ EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
   return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
-/// Checks whether a drive is the one that folds the sheet if nothing else is given: the same plates or the same hinge.
-bool is_usual(const model::LinkageDrive& drive, const model::LinkageDrive& usual) {
-  return drive.kind == usual.kind && drive.axis == usual.axis && drive.hinge == usual.hinge;
-}
-
 /// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist all
 /// of them so little that the usual one comes first.
 std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
