@@ -214,9 +214,8 @@ std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.force_N < b.force_N; });
   if (has_pins_alone(design))
-    std::stable_partition(all.begin(), all.end(), [usual = drive_of(design)](const EstimatedDrive& drive) {
-      return is_usual(drive.drive, usual);
-    });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const EstimatedDrive& drive) { return is_usual_drive(drive.drive, design); });
   return all;
 }
 

@@ -29,6 +29,11 @@ bool has_pins_alone(const Design& design) {
          std::all_of(made.begin(), made.end(), [](const auto& h) { return is_pin(h.kind); });
 }
 
+bool is_usual_drive(const model::LinkageDrive& drive, const Design& design) {
+  const model::LinkageDrive usual = drive_to(design.structure, design.theta);
+  return drive.kind == usual.kind && drive.axis == usual.axis && drive.hinge == usual.hinge;
+}
+
 Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made) {
   Design out = design;
   for (int h = 0; h < static_cast<int>(made.size()); ++h) {

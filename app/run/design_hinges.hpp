@@ -17,6 +17,9 @@ bool leaves_hinges_open(const Design& design);
 /// Checks whether all hinges are pins with known sizes.
 bool has_pins_alone(const Design& design);
 
+/// Checks whether a drive is the one of a design that names none: the same plates or the same hinge.
+bool is_usual_drive(const model::LinkageDrive& drive, const Design& design);
+
 /// Returns the design with these hinges in place of those that it leaves open.
 /// @param made by hinge; those of hinges that the design describes do not count
 Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made);

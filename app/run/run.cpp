@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "app/run/design_hinges.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -47,13 +49,6 @@ SearchResult planned(SearchResult found, bool brief) {
 
 namespace {
 
-/// Checks whether a drive is the one of a design that names none: the same plates or the same hinge.
-bool is_usual_drive(const model::Drive& drive, const Design& design) {
-  const model::LinkageDrive usual = drive_to(design.structure, design.theta),
-                            other = drive_on(design.structure, drive, design.theta);
-  return other.kind == usual.kind && other.axis == usual.axis && other.hinge == usual.hinge;
-}
-
 // N and N mm: by hand, and with a clamp or a tool.
 constexpr std::array most_by_hand = {100.0, 3000.0}, most_by_clamp = {1000.0, 30000.0};
 
@@ -71,7 +66,8 @@ Design written_design(const Run& run) {
   design.theta = requested_theta(run);
   if (design.drive || !run.folding || !run.folding->drive || run.equilibrium) return design;
   // Soft hinges lag behind their drive, which therefore ends beyond the theta of the design.
-  if (!run.folding->turns_freely || !is_usual_drive(*run.folding->drive, design))
+  if (!run.folding->turns_freely ||
+      !is_usual_drive(drive_on(design.structure, *run.folding->drive, design.theta), design))
     design.drive = run.folding->drive;
   return design;
 }

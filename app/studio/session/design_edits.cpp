@@ -36,8 +36,9 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
 void change(model::AssemblyHinge& hinge, const Message& message) {
   for (const char* key : {"t", "alpha_deg", "beta_deg", "offset_mm"})
     if (message.has(key))
-      throw InvalidInput(std::string(key) +
-                         ": is of sheets. Of bodies give `turn`, `axial`, `shear`, `along` or `reach_mm`");
+      throw InvalidInput(
+          std::string(key) +
+          ": only applies to sheets. For bodies, give `turn`, `axial`, `shear`, `along` or `reach_mm`");
   if (hinge.ball) throw InvalidInput("index: " + hinge.name + " is a ball, which has no stiffness");
   const auto take = [&](const char* key, auto& value) {
     if (message.has(key)) value = message.number(key, 1 / farthest_stiffness, farthest_stiffness);
@@ -229,7 +230,7 @@ Design with_sheet(Design design, const Message& message) {
 
 Design with_manufactured_hinges(Design design, const Message& message) {
   if (design.structure.assembly())
-    throw InvalidInput("made: is of sheets. Give hinges of bodies their stiffness with `hinge`");
+    throw InvalidInput("made: only applies to sheets. Give hinges of bodies their stiffness with `hinge`");
   design.hinge_overrides.clear();
   if (message.text("kind") == "stiff") {
     design.hinge = {};

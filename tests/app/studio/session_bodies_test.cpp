@@ -194,9 +194,9 @@ TEST_F(StudioOfBodies, FollowsAHandAlongItsOneWay) {
 }
 
 TEST_F(StudioOfBodies, RefusesWhatIsOfSheets) {
-  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("t: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("t: only applies to sheets"));
   EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"turn", -1}}), HasSubstr("turn: must be"));
-  EXPECT_THAT(refusal({{"type", "made"}, {"kind", "pin"}}), HasSubstr("made: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "made"}, {"kind", "pin"}}), HasSubstr("made: only applies to sheets"));
   EXPECT_THAT(refusal({{"type", "sheet"}, {"rows", 2}}), HasSubstr("sheet of squares only"));
   EXPECT_THAT(refusal({{"type", "springs"}, {"on", true}}), HasSubstr("turn freely"));
   EXPECT_THAT(refusal({{"type", "snap"}}), HasSubstr("mode equilibrium"));
