@@ -39,7 +39,7 @@ class Designs(Scratch):
 
     def test_values_no_file_can_hold_are_refused_with_their_place(self):
         for value, text in ((float("nan"), "structure.cell_mm: is nan"), (None, "structure.cell_mm: is None"),
-                            ("10", "structure.cell_mm: stands in quotes")):
+                            ("10", "structure.cell_mm: is in quotes")):
             with self.assertRaisesRegex(kinetix.InvalidInput, text):
                 kinetix.Design({"kinetix": 1, "structure": {"cells": [6, 1], "cell_mm": value}})
         with self.assertRaisesRegex(kinetix.InvalidInput, "keys are plain words"):

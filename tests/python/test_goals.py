@@ -123,7 +123,7 @@ class Goals(Scratch):
         for options, text in (({"theta": (0.5, 0.4)}, r"theta\[0\] is 0.5"), ({"columns": 1}, "columns is 1"),
                               ({"beta": (-2, 1)}, r"beta\[0\] is -2"), ({"per": "colum"}, "did you mean `column`"),
                               ({"solver": "newton"}, "allowed: ceres"), ({"tolerance": math.nan}, "tolerance is nan"),
-                              ({"name": "a/b"}, "name: is not a usable name"), ({"starts": 0}, "starts"),
+                              ({"name": "a/b"}, "name: the name cannot be the name of a folder"), ({"starts": 0}, "starts"),
                               ({"wall_mm": (9.9, 6)}, "theta"), ({"wall_mm": (-1, 6)}, r"wall_mm\[0\] is -1"),
                               ({"wall_mm": (1, 0)}, r"wall_mm\[1\] is 0")):
             with self.assertRaisesRegex(kinetix.InvalidInput, text):

@@ -131,7 +131,7 @@ class Runs(Scratch):
             kinetix.simulate(strip(4), theta=3)
         with self.assertRaisesRegex(kinetix.InvalidInput, "time_limit_s is 0"):
             kinetix.optimise(CURVE, time_limit_s=0)
-        with self.assertRaisesRegex(kinetix.InvalidInput, "this is a design, not a target"):
+        with self.assertRaisesRegex(kinetix.InvalidInput, "this file is a design, not a target"):
             kinetix.optimise(strip(4))
 
     def test_errors_found_after_reading_name_the_file(self):
