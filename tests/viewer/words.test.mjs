@@ -112,7 +112,7 @@ async function inStudio(source, use, place, end = "stop") {
     await open(chrome, shown.address, {tab: {page, complaints}});
     await use();
     assert.deepEqual(complaints, []);
-    await leave(page, shown.address);
+    await leave(page);
   } finally {
     await shown[end]();
   }
