@@ -169,14 +169,14 @@ FollowedPath trace_turned_path(const Design& design, const model::Linkage& linka
 
 std::string describe_pull(const model::Deployment& d, double seconds, bool is_stopped) {
   if (!d.reached && is_stopped)
-    return fmt::format("stopped after {:.0f} % of the way on which bodies are pulled", 100 * d.shares.back());
+    return fmt::format("stopped after {:.0f} % of the motion", 100 * d.shares.back());
   if (!d.reached)
     return fmt::format(
-        "bodies follow their pull for {:.0f} % of the way and no further: hinges would have to open",
+        "bodies follow the drive for {:.0f} % of the motion. Further on, joints would separate",
         100 * d.shares.back());
   return fmt::format(
-      "bodies end {:.2g} cell edges from where they are pulled to, rms, at most {:.2g}; hinges stay closed "
-      "within {:.1e} cell edges; {} states in {:.2f} s",
+      "bodies end {:.2g} cell edges (rms) from the requested poses, {:.2g} at most; joints separate by at "
+      "most {:.1e} cell edges; {} states in {:.2f} s",
       d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
 }
 
@@ -199,10 +199,10 @@ std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::
   if (d.off_rms <= pull.tolerance) return {};
   if (stays)
     return {
-        fmt::format("rest and target are two states of their own, not a mechanism between them: bodies move "
+        fmt::format("rest and target are two separate states, not a mechanism between them: bodies move "
                     "by {:.2g} cell edges at most, and end {:.3g} (rms) from the target; {:g} are allowed",
                     moved, d.off_rms, pull.tolerance)};
-  return {fmt::format("bodies end {:.3g} cell edges (rms) from where they are pulled to; {:g} are allowed",
+  return {fmt::format("bodies end {:.3g} cell edges (rms) from the requested poses; {:g} are allowed",
                       d.off_rms, pull.tolerance)};
 }
 

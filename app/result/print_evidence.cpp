@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& 
     lines.emplace_back(
         "CORNERS",
         fmt::format("the two halves of wall {} collide at a turn of {:.1f} deg, and this design turns "
-                    "it by {:.1f} deg. Use a longer hinge gap",
+                    "it by {:.1f} deg. Use a longer gap (`gap_mm`)",
                     wall_name(run.design.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
                     t->turn / radians_per_degree));
   return lines;

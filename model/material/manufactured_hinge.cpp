@@ -133,7 +133,7 @@ void check_pin(const ManufacturedHinge& p, const CellSize& size) {
   require("clearance_mm", p.clearance_mm, p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm,
           "at least 0 and below the cell edge");
   require("clearance_mm", p.clearance_mm, !p.with_play || p.clearance_mm <= p.height_mm / 2,
-          "at most half of the height of a pin with play");
+          "at most half of the height of a pin with clearance");
   require("diameter_mm", p.diameter_mm, p.diameter_mm > 0, "above 0");
   const double room = room_for_knuckles(size);
   if (knuckle_mm(p) <= room) return;

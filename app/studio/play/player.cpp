@@ -41,7 +41,7 @@ void Player::load(const Design& design) {
 
 void Player::enter(Mode mode) {
   if (mode == Mode::exact && !moving_->exact)
-    throw InvalidInput("exact: this design does not move exactly: " + moving_->exact.why);
+    throw InvalidInput("exact: this design is not a one-degree-of-freedom mechanism: " + moving_->exact.why);
   wanted_ = mode;
   if (mode == mode_) return;
   const auto driven = mode_ == Mode::equilibrium ? std::optional(theta_) : std::nullopt;

@@ -16,7 +16,7 @@ constexpr int max_cells_per_side = 200;     // a page shows this many at 15 fram
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
-      {{"hinge", targets::value::map(hinge_keys()), {}, "what the hinges are made of"}});
+      {{"hinge", targets::value::map(hinge_keys()), {}, "kind and size of the hinges"}});
   return keys;
 }
 

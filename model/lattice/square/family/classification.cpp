@@ -62,7 +62,7 @@ PlanarSheet planar_motion(const Structure& sheet) {
   ParallelDrawingFit fit = parallel_drawing_of(planar);
   if (fit.is_closed())
     return {std::move(fit.y), -1,
-            "planar: all axes vertical, every face closes: each body on a path of its own"};
+            "planar: all axes vertical, every face closes: each body follows its own path"};
   const GraphFace& face = planar.faces[fit.worst_face];
   return {{},
           face.edges.front(),
@@ -167,7 +167,7 @@ std::string description(Family family, bool transposed) {
     case Family::F2:
       return "F2: basic rows, every column bends or shears: cylindrical sheet" + along;
     case Family::F3:
-      return "F3: rows tilted alike, every column bends" + along;
+      return "F3: rows with equal tilts, every column bends" + along;
     case Family::F4:
       return "F4: flat panels joined by creases along x and along y: net";
     case Family::planar:

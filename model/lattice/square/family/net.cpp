@@ -328,7 +328,7 @@ NetCheck check_net(const Structure& structure, double tolerance) {
   const int open = open_hinge(structure, tolerance);
   if (open >= 0)
     return {1, open,
-            "creases around a hole must let it close: alike where they lie in line, and not crossing in it"};
+            "creases around a hole must let it close: equal if they are in line, and not crossing in it"};
   return check;
 }
 
