@@ -147,8 +147,9 @@ std::string describe_turn(const model::AssemblyMotion& m, const std::vector<mode
         "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
         hinges[driven].name, last, m.gap, m.axis_gap);
   if (m.broken < 0) return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[driven].name, last);
-  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
-                     hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
+  return fmt::format(
+      "`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` separates by more than it may",
+      hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
 }
 
 FollowedPath trace_turned_path(const Design& design, const model::Linkage& linkage,
@@ -257,7 +258,7 @@ void require_one_axis(const model::Assembly& bodies, bool are_pulled) {
   for (const model::AssemblyHinge& hinge : bodies.hinges)
     if (hinge.ball)
       throw InvalidInput(
-          "the model equilibrium knows hinges with an axis only, and `" + hinge.name + "` is a ball",
+          "the model `equilibrium` needs hinges with an axis, and `" + hinge.name + "` is a spherical joint",
           {"", 0, 0, "structure.hinges"});
 }
 

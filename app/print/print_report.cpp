@@ -96,8 +96,8 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
   }
   if (soft.size() > 1 && !sheet.is_one_material())
     out.push_back(
-        fmt::format("{} are one soft part in the files, printed of one material: stiffnesses of the design "
-                    "are those of each its own",
+        fmt::format("{} are one soft part in the files, printed of one material: the design assumes a "
+                    "separate material for each",
                     fmt::join(soft, " and ")));
   return out;
 }

@@ -40,7 +40,7 @@ SearchResult planned(SearchResult found, bool brief) {
       (brief ? make_brief_plan : make_plan)(found.design.structure, found.model, std::move(found.plan.exact));
   if (!found.goal || found.plan.model == Model::equilibrium) return found;
   if (!found.plan.exact)
-    throw InvalidInput("the design that was found has no exact motion: " + found.plan.exact.why);
+    throw InvalidInput("the design that was found has no analytic motion: " + found.plan.exact.why);
   found.own = found.motion ? found.motion(found.theta) : found.plan.exact.at(found.theta);
   return found;
 }

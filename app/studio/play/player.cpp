@@ -112,7 +112,7 @@ void Player::drive_engine(double theta) {
 
 sim::LiveSheet& Player::engine() {
   if (live_) return *live_;
-  throw InvalidInput("this needs the physics: mode bullet");
+  throw InvalidInput("this needs the simulation: mode bullet");
 }
 
 void Player::fold_to(double theta) {
@@ -179,7 +179,7 @@ void Player::set_gravity(bool on) {
 }
 
 void Player::set_springs(bool on) {
-  if (moving_->bodies) throw InvalidInput("springs: hinges of bodies turn freely in the physics");
+  if (moving_->bodies) throw InvalidInput("springs: hinges of bodies turn freely in the simulation");
   springs_ = on;
   if (live_) enter_engine();
 }

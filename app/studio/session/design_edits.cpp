@@ -36,9 +36,11 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
 void change(model::AssemblyHinge& hinge, const Message& message) {
   for (const char* key : {"t", "alpha_deg", "beta_deg", "offset_mm"})
     if (message.has(key))
-      throw InvalidInput(std::string(key) +
-                         ": is of sheets. Of bodies give `turn`, `axial`, `shear`, `along` or `reach_mm`");
-  if (hinge.ball) throw InvalidInput("index: " + hinge.name + " is a ball, which has no stiffness");
+      throw InvalidInput(
+          std::string(key) +
+          ": only applies to sheets. For bodies give `turn`, `axial`, `shear`, `along` or `reach_mm`");
+  if (hinge.ball)
+    throw InvalidInput("index: " + hinge.name + " is a spherical joint, which has no stiffness");
   const auto take = [&](const char* key, auto& value) {
     if (message.has(key)) value = message.number(key, 1 / farthest_stiffness, farthest_stiffness);
   };
@@ -53,7 +55,7 @@ model::SheetSymmetry symmetry_of(const Message& message, const Design& design) {
   const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
   if (name == "none") return {};
   const model::Structure* squares = design.structure.squares();
-  if (!squares) throw InvalidInput("symmetry: is known of sheets of squares only");
+  if (!squares) throw InvalidInput("symmetry: only applies to sheets of squares");
   if (name == "mirror_x") return {*squares, true, false};
   if (name == "mirror_y") return {*squares, false, true};
   if (name == "rotate_2") return {*squares, true, true};
@@ -229,7 +231,7 @@ Design with_sheet(Design design, const Message& message) {
 
 Design with_manufactured_hinges(Design design, const Message& message) {
   if (design.structure.assembly())
-    throw InvalidInput("made: is of sheets. Give hinges of bodies their stiffness with `hinge`");
+    throw InvalidInput("made: only applies to sheets. Give hinges of bodies their stiffness with `hinge`");
   design.hinge_overrides.clear();
   if (message.text("kind") == "stiff") {
     design.hinge = {};
@@ -245,10 +247,10 @@ Design with_manufactured_hinges(Design design, const Message& message) {
 
 Design with_driven_hinge(Design design, const Message& message) {
   const model::Assembly* bodies = design.structure.assembly();
-  if (!bodies) throw InvalidInput("driven: is of designs of bodies");
+  if (!bodies) throw InvalidInput("driven: only applies to designs of bodies");
   const int hinge = message.integer("hinge", 0, static_cast<int>(bodies->hinges.size()) - 1);
   if (bodies->hinges[hinge].ball)
-    throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
+    throw InvalidInput("hinge: is a spherical joint, which has no axis to be turned about");
   design.drive = model::HingeTurn{hinge, 0};
   return design;
 }

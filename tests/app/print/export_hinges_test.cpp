@@ -132,7 +132,7 @@ design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
 
 /// The result.json of such a design describes its equilibrium.
 TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
-  const std::string words = "folded along its exact motion: the equilibrium of its elastic hinges";
+  const std::string words = "folded along its analytic motion: the equilibrium of its elastic hinges";
   const auto warnings = [&](const char* hinge, const char* state) {
     const Scratch scratch;
     const std::string design = std::string(panel) + fmt::format("hinge: {{model: elastic, {}}}\n", hinge);
