@@ -56,13 +56,13 @@ FIGURES = [
      "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+05 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
     ("docs/project/scaling.md", "8 starts | - | 400: # s, # MB | # | #", "search for a half circle, 8 starts",
      "time to the #, memory to the # of the cells; 10 cells: 4.59 ms; 400 cells: # s, # GiB", (1, 1000, 1, 1), (2, 3, 0, 1)),
-    ("docs/project/scaling.md", "a strip, flat to theta 0.5 | - | 320: # s | # | #", "equilibrium, strips that bend",
+    ("docs/project/scaling.md", "a strip, flat to 0.5 rad | - | 320: # s | # | #", "equilibrium, strips that bend",
      "time to the #, memory to the # of the cells; 20 cells: 7.96 ms; 320 cells: # s", 1, (2, 0, 1)),
-    ("docs/project/scaling.md", "a sheet, flat to theta 0.5 | # ms | 10^4: # s, # GiB | # | #", "equilibrium, sheets that bend",
+    ("docs/project/scaling.md", "a sheet, flat to 0.5 rad | # ms | 10^4: # s, # GiB | # | #", "equilibrium, sheets that bend",
      "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
-    ("docs/project/scaling.md", "physics run, a strip, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, strips, a step",
+    ("docs/project/scaling.md", "simulation, a strip, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, strips, a step",
      "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
-    ("docs/project/scaling.md", "physics run, a sheet, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, sheets, a step",
+    ("docs/project/scaling.md", "simulation, a sheet, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, sheets, a step",
      "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
 ]
 
