@@ -12,8 +12,8 @@ const std::vector<Material>& materials() {
       {"tango", 1, 0.48, 0.5,
        "PolyJet rubber of Shore 27 A (TangoPlus FLX930 has 26 to 28): E from the hardness by A. N. Gent, On "
        "the relation "
-       "between indentation hardness and Young's modulus, IRI Transactions 34, 1958, and by Ruess' lg E = "
-       "0.0235 S - 0.6403 alike; nu of rubbers in "
+       "between indentation hardness and Young's modulus, IRI Transactions 34, 1958, and Ruess' lg E = "
+       "0.0235 S - 0.6403 gives the same; nu of rubbers in "
        "general; "
        "the strain is an estimate, well below that at break, for notches and repeated bending"},
       {"tpu95a", 26, 0.48, 0.5,

@@ -44,7 +44,7 @@ FIGURES = [
     ("docs/reference/hinges.md", "| helmet rib, 40 columns | # mm | # mm | # mm", "helmet rib of rubber hinges and springs", "# mm, # mm (52 times), # mm", 1),
     ("docs/reference/hinges.md", "rubber hinges, rms, 95 % | #, # mm | #, # mm", "as made, helmet rib of 40 columns, rubber hinges",
      "rms # mm to first order, # mm in 1000 prints (0.6 %); 95 of 100 within # and # mm", 1, (0, 2, 1, 3)),
-    ("docs/reference/hinges.md", "letter T, rubber hinges, contrast, 95 %, auc | #, #, 1.000 | #, #, 1.000", "the same of a letter T, 10 x 10 cells: contrast",
+    ("docs/reference/hinges.md", "letter T, rubber hinges, separation d′, 95 %, AUC | #, #, 1.000 | #, #, 1.000", "the same of a letter T, 10 x 10 cells: contrast",
      "# to first order, # in 1000 prints; above # and #", 1, (0, 2, 1, 3)),
     ("docs/explanation/kinematics.md", "12 × 12 facets to # %", "vase, 12 x 12 facets", "#,", 100),
     ("docs/explanation/kinematics.md", "grow to about # times the others' area", "T, B, E, S, R, Q, 12 x 12 cells, rows free", "ratio #", 1),

@@ -578,7 +578,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        3,
        36,
        "hinge.gap_mm",
-       {"only applies to blocks and films"}},
+       {"only applies to blocks and living hinges"}},
       {strip + "hinge: {kind: pin, diameter_mm: 4.9}\n",
        3,
        33,

@@ -583,7 +583,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
       {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n",
        "tolerance.force_N: applies to plates only"},
       {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
-       "tolerance.strain: only applies to blocks and films"},
+       "tolerance.strain: only applies to blocks and living hinges"},
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
       {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
       {arc + "drive: {kind: shape_memory, k_turn: 5}\n", "drive: shape_memory needs elastic hinges"},

@@ -147,7 +147,8 @@ class Rule {
       return along_x ? "all tilts of a column must be equal, with the sign alternating from row to row"
                      : "all rows must share one tilt, with the sign alternating from column to column";
     if (!same(p.t, asked.t))
-      return "all hinges of a column (or row) of walls must give the same fraction to their class-A vertex";
+      return "all hinges of a column (or row) of walls must give the same fraction to their vertex of "
+             "sublattice A";
     return {};
   }
 
