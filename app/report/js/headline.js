@@ -35,7 +35,7 @@ function designVerdict(data) {
 /** Describes the soft hinges with which prints are judged, in one sentence; "" if there are none. */
 function describeSoftHinges(taken) {
   if (!taken) return "";
-  const what = `${taken.material} ${taken.kind}s ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
+  const what = `${taken.material} ${taken.kind === "film" ? "living hinges" : `${taken.kind}s`} ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
   return taken.assumed ? ` You did not specify hinges, so kinetix assumed ${what}.` : ` Its hinges are ${what}.`;
 }
 
