@@ -185,7 +185,8 @@ std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
 std::string describe_soft_hinges(const SoftHinges& soft) {
   const model::ManufacturedHinge& block = soft.made;
   return fmt::format("{}hinges: {} {} {:.1f} mm long, peak strain {:.2g} (limit {:g})",
-                     soft.is_assumed ? "assumed " : "", block.material.name, to_string(block.kind),
+                     soft.is_assumed ? "assumed " : "", block.material.name,
+                     block.kind == model::HingeKind::film ? "living hinge" : to_string(block.kind),
                      block.gap_mm, soft.strain, block.material.strain_max);
 }
 
