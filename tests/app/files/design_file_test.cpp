@@ -480,7 +480,7 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        3,
        33,
        "drive.shorten_mm",
-       {"below the cord's length"}},
+       {"below the tendon's length"}},
       {strip + "drive: {kind: cord, shorten_mm: .nan, through: [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]}\n",
        3,
        33,
