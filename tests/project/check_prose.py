@@ -182,7 +182,7 @@ def descriptions_of(schema):
 def schema_faults(root):
     for name in SCHEMAS:
         for text in descriptions_of(json.loads((root / name).read_text(encoding="utf-8"))):
-            for kind, _, words in text_faults(0, text):
+            for kind, _, words in [*text_faults(0, text), *term_faults(0, text)]:
                 yield f"{name}: {kind}: {words}"
 
 
