@@ -160,7 +160,7 @@ function equilibriumNumbers(data) {
     keyNumber("Energy", force(equilibrium.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
     finite(metrics.exact_rms) !== null &&
         keyNumber(
-            "From the exact motion", millimetres(metrics.exact_rms * data.structure.cell),
+            "From the analytic motion", millimetres(metrics.exact_rms * data.structure.cell),
             `${figures(metrics.exact_rms, 2)} cell edges rms from the analytic motion of the same drive`),
   ];
 }
