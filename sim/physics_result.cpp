@@ -97,7 +97,7 @@ std::string contact(const model::Linkage& s, const PhysicsResult& r) {
 std::string reason(const model::Linkage& s, const PhysicsOptions& o, const PhysicsResult& r) {
   switch (r.status) {
     case Status::settled:
-      return fmt::format("settled after {:.3g} s: largest hinge gap {:.2g} cell edges", r.simulated_s,
+      return fmt::format("settled after {:.3g} s: largest joint separation {:.2g} cell edges", r.simulated_s,
                          r.gaps.max);
     case Status::not_settled:
       return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, describe_moving_hinges(s, o, r),
@@ -109,7 +109,7 @@ std::string reason(const model::Linkage& s, const PhysicsOptions& o, const Physi
       return fmt::format("the drive is off by {:.3g} (cell edges or rad); at most {:.2g} is allowed",
                          r.drive_gap, o.gap_limit);
     case Status::wrong_branch:
-      return "the sheet folded to the other sign of theta than the drive asked for";
+      return "the sheet folded to the opposite side of that of the drive";
     case Status::blocked:
       return fmt::format("{}: {}, and the drive is off by {:.2g} (after {:.3g} s)", contact(s, r),
                          open_hinge(s, r), r.drive_gap, r.simulated_s);

@@ -109,7 +109,7 @@ PhysicsResult run_pull(const model::Linkage& structure, const model::Pull& pull,
                        const PhysicsOptions& options, const ContactParts& parts,
                        const PhysicsObserver& observer) {
   options.validate();
-  if (options.elastic) throw InvalidInput("bodies are pulled where hinges are rotary only");
+  if (options.elastic) throw InvalidInput("bodies can be pulled only if hinges are revolute joints");
   return PullRun(structure, pull, options, parts, observer).run();
 }
 
@@ -394,7 +394,7 @@ PhysicsResult run_with_parts(const model::Linkage& structure, const model::Linka
                              const PhysicsOptions& options, const ContactParts& parts,
                              const PhysicsObserver& observer) {
   options.validate();
-  if (options.elastic) throw InvalidInput("bodies collide by pieces where hinges are rotary only");
+  if (options.elastic) throw InvalidInput("bodies collide by pieces only if hinges are revolute joints");
   refuse_unknown(drive, options);
   return Run(structure, drive, options, observer, &parts).run();
 }

@@ -104,7 +104,7 @@ targets::Key side_key() {
 
 targets::Key branch_key(const char* with) {
   return {"branch", value::choice(signs), targets::otherwise("the sign of `design.fold_angle_deg`"),
-          std::string(with) == "cord" ? "sign of the fold angle if the cord pulls equally to both sides"
+          std::string(with) == "cord" ? "sign of the fold angle if the tendon pulls equally to both sides"
                                       : "sign of the fold angle",
           with};
 }
@@ -151,11 +151,11 @@ const targets::KeyTable& drive_keys() {
            "rotation of the wall's half at its upper vertex relative to the half at its lower vertex",
            "hinge"},
           walls_key("through", 2, targets::needed,
-                    "walls through whose hinge points the cord runs, in order. The distance of two walls "
+                    "walls through whose hinge points the tendon runs, in order. The distance of two walls "
                     "that share a vertex never changes",
                     "cord"),
-          {"shorten_mm", value::number(targets::above(0, "mm (below the cord's length)")), targets::needed,
-           "shortening of the whole cord. A cord only pulls", "cord"},
+          {"shorten_mm", value::number(targets::above(0, "mm (below the tendon's length)")), targets::needed,
+           "shortening of the whole tendon. A tendon only pulls", "cord"},
           branch_key("cord"),
           {"angle_deg", value::angle(turn), targets::needed,
            "rest angle of the hot springs. Hinges have this rotation at a fold angle of `angle_deg` / 2, "
@@ -296,7 +296,7 @@ struct DriveDescription {
   const char* operator()(const model::HingeTurn&) const {
     return "one hinge that is turned, its force at a lever of a cell edge";
   }
-  const char* operator()(const model::CordPull&) const { return "a cord that is pulled"; }
+  const char* operator()(const model::CordPull&) const { return "a tendon that is pulled"; }
   const char* operator()(const model::ShapeMemory&) const { return "springs of shape memory"; }
   const char* operator()(const model::BodyPull&) const { return "bodies that are pulled"; }
 };

@@ -103,7 +103,7 @@ void read_settings(const targets::Section& root, double edge_mm, GoalSettings& s
 /// Returns the key `robust`. @param over choices of such a search, in words
 targets::Key robust_key(const std::string& over =
                             "the fold angle, if the search is free to choose it, and over gaps of "
-                            "blocks and films");
+                            "blocks and living hinges");
 
 /// Reads the hinges, their drive and the process that makes them.
 /// @param size of the cells; empty if the search finds it

@@ -94,15 +94,16 @@ std::vector<targets::Key> stiffness_and_shape() {
        "gap. `rod`: a pin whose rod is a separate part or a wire, pushed in after printing. If `kind` is the "
        "only key, hinges are computed as revolute joints and get the sizes that the process needs"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
-       targets::otherwise(fmt::format("needed by blocks and films; `{}` for a pin, `{}` for a rod",
+       targets::otherwise(fmt::format("needed by `block` and `film`; `{}` for a pin, `{}` for a rod",
                                       default_pin, default_rod)),
        material_meaning()},
       {"gap_mm", &ManufacturedHinge::gap_mm,
        value::length(targets::between(0, 1, "mm (below the cell edge)")),
-       targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
+       targets::otherwise("needed by `block` and `film`"),
+       "length of a block or living hinge along the wall"},
       {"thickness_mm", value::number(targets::above(0, "mm")),
-       targets::otherwise("the wall's; needed by films"),
-       "thickness of a block or film, at most that of the wall"},
+       targets::otherwise("the wall's; needed by `film`"),
+       "thickness of a block or living hinge, at most that of the wall"},
       {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
        "height of the hinge along its axis, at most that of the wall"},
       {"diameter_mm", &ManufacturedHinge::diameter_mm,
@@ -180,7 +181,8 @@ void check_kind(const targets::Section& section, HingeKind kind) {
       if (const auto node = section.optional(key)) throw node->key_error(why);
   };
   if (is_pin(kind))
-    refuse({"gap_mm", "thickness_mm"}, "only applies to blocks and films. Remove the key, or change `kind`");
+    refuse({"gap_mm", "thickness_mm"},
+           "only applies to blocks and living hinges. Remove the key, or change `kind`");
   else
     refuse({"diameter_mm", "clearance_mm", "play", "round_caps"},
            "only applies to pins and rods. Remove the key, or change `kind`");
@@ -478,7 +480,7 @@ std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
   return {{"force_N", &HingeLimits::force_N, value::number(targets::above(0, "N")),
            "limit of the drive's force over the whole motion. " + instead},
           {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), default_strain,
-           "limit of the strain of a block or film over the whole motion"}};
+           "limit of the strain of a block or living hinge over the whole motion"}};
 }
 
 HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
@@ -489,7 +491,8 @@ HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSect
   for (const HingePart& part : parts) most = std::max(most, bearable_strain(part.hinge));
   if (const auto strain = tolerance.optional("strain"); strain && most == 0)
     throw strain->key_error(
-        "only applies to blocks and films. Add `hinge: {kind: block, ...}` or `film`, or remove the key");
+        "only applies to blocks and living hinges. Add `hinge: {kind: block, ...}` or `film`, or remove the "
+        "key");
   if (limits.strain && *limits.strain > most)
     throw tolerance.optional("strain")->error(fmt::format(
         "{:g} is more than the material of `hinge` withstands. Give at most {:g}", *limits.strain, most));

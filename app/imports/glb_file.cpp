@@ -193,7 +193,8 @@ class GlbModel {
     const bool fits = found->is_array() && static_cast<Eigen::Index>(found->size()) == out.size();
     for (Eigen::Index k = 0; fits && k < out.size(); ++k)
       out[k] = (*found)[k].is_number() ? (*found)[k].get<double>() : std::nan("");
-    if (!fits || !out.allFinite()) damaged(std::string("a node's `") + key + "` is not what it must be");
+    if (!fits || !out.allFinite())
+      damaged(std::string("a node's `") + key + "` does not have the form that glTF requires");
     return out;
   }
 

@@ -12,7 +12,7 @@ namespace kinetix::app {
 struct ImportRequest {
   std::string model;  ///< one file with hard and soft parts, or a folder of tiles; empty: `hard` and `soft`
   std::string hard, soft;     ///< one file of each; soft may be empty if all hinges are pins
-  std::string unit;           ///< mm, cm, m, in or ft; empty: the file's, else guessed by size
+  std::string unit;           ///< mm, cm, m, in or ft; empty: the file's, else inferred from the size
   std::string soft_material;  ///< name of the soft material, colour or object; empty: recognised by words
   std::string material;       ///< of soft parts, one of model::materials(); empty: tango
   std::string hinges;         ///< side file that sets ambiguous axes; empty: none

@@ -74,7 +74,7 @@ std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
     for (FoundMesh& mesh : file.meshes)
       for (Eigen::Vector3d& p : mesh.soup.points) p *= mm;
   }
-  if (!asked.empty()) return std::string(named_unit(asked).words) + ", as asked";
+  if (!asked.empty()) return std::string(named_unit(asked).words) + ", as requested";
   if (said) return stated_units(files);
   return fmt::format(
       "{}, inferred: the file has no unit, and the model is {:.4g} of them long. Give --unit for another one",

@@ -49,13 +49,13 @@ std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads&
   std::vector<std::string> why;
   if (limits.force_N && !(loads.force_N <= *limits.force_N))
     why.push_back(
-        fmt::format("the drive takes {:.3g} N{}; at most {:g} N is allowed, and {} does not keep that",
+        fmt::format("the drive needs {:.3g} N{}; at most {:g} N is allowed, and {} does not change that",
                     loads.force_N, describe_lever(loads), *limits.force_N, instead));
   if (limits.strain && !(loads.strain <= *limits.strain))
-    why.push_back(
-        fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and {} does not keep that: a "
-                    "longer gap or a thinner hinge strains less",
-                    loads.strain, *limits.strain, instead));
+    why.push_back(fmt::format(
+        "a hinge is strained by {:.2f}; at most {:g} is allowed, and {} does not change that. Use "
+        "a longer gap or a thinner hinge",
+        loads.strain, *limits.strain, instead));
   return why;
 }
 
@@ -247,8 +247,8 @@ DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const
     const double off = departure(sheet, state);
     if (stop.stop_requested() || !(off <= largest_departure)) ends.request_stop();
     if (!(off <= largest_departure) && trial.why_not.empty())
-      trial.why_not =
-          fmt::format("the sheet leans or buckles from theta {:.1f} deg on", to_degrees(step.theta));
+      trial.why_not = fmt::format("the sheet leans or buckles from a fold angle of {:.1f} deg on",
+                                  to_degrees(step.theta));
   };
   follow(sheet.theta, sheet.linkage, sheet.exact, elasticity_of(sheet.design), path, trial, see);
   return trial;

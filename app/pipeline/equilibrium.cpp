@@ -51,11 +51,11 @@ class FrameKeeper {
 
 std::string stiffness_sentence(const Design& design, const model::Elasticity& e) {
   const char* start = design.hinge.model == HingeSection::Model::rotary
-                          ? "the design's hinges are rotary; for this model they are taken as elastic: "
+                          ? "the design has revolute joints; this model assumes elastic hinges: "
                           : "elastic hinges: ";
   const std::string others =
-      design.hinge_overrides.empty() ? "" : fmt::format("; {} of their own", design.hinge_overrides.size());
-  const std::string play = e.play_mm > 0 ? fmt::format(", play {:g} mm", e.play_mm) : "";
+      design.hinge_overrides.empty() ? "" : fmt::format("; {} hinges differ", design.hinge_overrides.size());
+  const std::string play = e.play_mm > 0 ? fmt::format(", clearance {:g} mm per side", e.play_mm) : "";
   const std::string end =
       fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}{}", e.reach_mm, e.k_contact, play, others);
   if (const auto k = framed_stiffness(design.hinge))
@@ -86,7 +86,7 @@ void add_exact(const SearchResult& found, ElasticState& out) {
     out.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
     out.fidelity.push_back(exact_fidelity(found.plan.exact, sheet, theta));
   } catch (const InvalidInput& e) {
-    out.why.push_back("no closed form to compare with: " + e.reason());
+    out.why.push_back("no analytic motion to compare with: " + e.reason());
   }
 }
 
@@ -94,7 +94,7 @@ Fidelity fidelity_of(const Equilibrium& equilibrium, double seconds) {
   const auto& distance = equilibrium.from_exact;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return {to_string(Model::equilibrium), seconds, distance ? distance->rms : nan,
-          distance ? to_string(Model::exact) : "no closed form"};
+          distance ? to_string(Model::exact) : "no analytic motion"};
 }
 
 }  // namespace
@@ -113,8 +113,7 @@ ElasticState follow_drive(const SearchResult& found, const model::LinkageDrive& 
   if (!bodies)
     out.why = {stiffness_sentence(found.design, elasticity),
                "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of "
-               "hinges are "
-               "left out, and edges that meet head on may be in each other by up to half the thickness"};
+               "hinges are ignored, and edges that meet head on may overlap by up to half the thickness"};
   const model::Lattice& sheet = found.design.structure;
   const double goal = drive.theta();
   model::EquilibriumPathOptions path_options = path_of_run(found.plan.planar);
@@ -357,7 +356,7 @@ CompensatedPath trace_compensated_path(const SearchResult& found, const Goal& go
 Run compensate_for_elasticity(Run run, const Goal& goal, const RunOptions& options) {
   const auto exact = goal.observe(run, run.design.structure, run.own);
   if (!exact) return run;
-  options.progress("hinges in matter", 0);
+  options.progress("compensation for elastic hinges", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
   run.compensation = CompensationResult{.exact_mm = rms_mm(*exact),
                                         .before_mm = std::nan(""),

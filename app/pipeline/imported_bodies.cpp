@@ -147,8 +147,9 @@ std::string describe_turn(const model::AssemblyMotion& m, const std::vector<mode
         "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
         hinges[driven].name, last, m.gap, m.axis_gap);
   if (m.broken < 0) return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[driven].name, last);
-  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
-                     hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
+  return fmt::format(
+      "`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` separates by more than it may",
+      hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
 }
 
 FollowedPath trace_turned_path(const Design& design, const model::Linkage& linkage,
@@ -169,14 +170,14 @@ FollowedPath trace_turned_path(const Design& design, const model::Linkage& linka
 
 std::string describe_pull(const model::Deployment& d, double seconds, bool is_stopped) {
   if (!d.reached && is_stopped)
-    return fmt::format("stopped after {:.0f} % of the way on which bodies are pulled", 100 * d.shares.back());
+    return fmt::format("stopped after {:.0f} % of the motion", 100 * d.shares.back());
   if (!d.reached)
     return fmt::format(
-        "bodies follow their pull for {:.0f} % of the way and no further: hinges would have to open",
+        "bodies follow the drive for {:.0f} % of the motion. Further on, joints would separate",
         100 * d.shares.back());
   return fmt::format(
-      "bodies end {:.2g} cell edges from where they are pulled to, rms, at most {:.2g}; hinges stay closed "
-      "within {:.1e} cell edges; {} states in {:.2f} s",
+      "bodies end {:.2g} cell edges (rms) from the requested poses, {:.2g} at most; joints separate by at "
+      "most {:.1e} cell edges; {} states in {:.2f} s",
       d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
 }
 
@@ -199,10 +200,10 @@ std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::
   if (d.off_rms <= pull.tolerance) return {};
   if (stays)
     return {
-        fmt::format("rest and target are two states of their own, not a mechanism between them: bodies move "
+        fmt::format("rest and target are two separate states, not a mechanism between them: bodies move "
                     "by {:.2g} cell edges at most, and end {:.3g} (rms) from the target; {:g} are allowed",
                     moved, d.off_rms, pull.tolerance)};
-  return {fmt::format("bodies end {:.3g} cell edges (rms) from where they are pulled to; {:g} are allowed",
+  return {fmt::format("bodies end {:.3g} cell edges (rms) from the requested poses; {:g} are allowed",
                       d.off_rms, pull.tolerance)};
 }
 
@@ -257,7 +258,7 @@ void require_one_axis(const model::Assembly& bodies, bool are_pulled) {
   for (const model::AssemblyHinge& hinge : bodies.hinges)
     if (hinge.ball)
       throw InvalidInput(
-          "the model equilibrium knows hinges with an axis only, and `" + hinge.name + "` is a ball",
+          "the model `equilibrium` needs hinges with an axis, and `" + hinge.name + "` is a spherical joint",
           {"", 0, 0, "structure.hinges"});
 }
 

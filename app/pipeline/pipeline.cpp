@@ -56,8 +56,9 @@ class ParallelChecks {
 /// Corrects one end of a sampled range if walls provably touch before it.
 void correct(model::ContactLimit& sampled, const model::ContactLimit& proven, Plan& plan) {
   if (!proven.contact || std::abs(sampled.theta) <= std::abs(*proven.contact)) return;
-  plan.why.push_back(fmt::format("walls touch at theta {:.2f} deg already, and part again between samples",
-                                 to_degrees(*proven.contact)));
+  plan.why.push_back(
+      fmt::format("walls already touch at a fold angle of {:.2f} deg, and part again between two samples",
+                  to_degrees(*proven.contact)));
   sampled = proven;
 }
 

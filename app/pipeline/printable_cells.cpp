@@ -96,12 +96,13 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   found.design.name = goal.name;
   if (!options.printable || !leaves_hinges_open(found.design) || options.stop.stop_requested()) return found;
   if (needs_hinges(found)) {
-    found.print = PrintAnswer{
-        .hinges = {},
-        .why =
-            "hinges stretch in this design, so it depends on their stiffness, and the file does not say how "
-            "they are made: leave `variables.offset_mm` out, so that no hinge stretches, or give "
-            "`hinge: {kind: block, ...}` with sizes"};
+    found.print =
+        PrintAnswer{.hinges = {},
+                    .why =
+                        "hinges stretch in this design, so it depends on their stiffness, and the file does "
+                        "not describe how "
+                        "they are made: remove `variables.offset_mm`, so that no hinge stretches, or give "
+                        "`hinge: {kind: block, ...}` with sizes"};
     return found;
   }
   found.print = options.printable(requested_design(found));

@@ -23,7 +23,7 @@ std::string named(const PrintSheet& sheet, const LeastDistance& d) {
   return fmt::format("bodies {} and {}", part_name(sheet, d.first), part_name(sheet, d.second));
 }
 
-/// Describes parts that come too near: from which theta on, and how near.
+/// Describes parts that come too near: from which fold angle on, and how near.
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
   const LeastDistance &first = *clearance.first_violation, &least = clearance.least();
   const std::string what = first.required_mm > 0
@@ -33,9 +33,10 @@ std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
       least.mm > 0 ? fmt::format("; {} are within {:.3f} mm", named(sheet, least), least.mm)
       : first.mm > 0 || first.required_mm > 0 ? fmt::format("; {} run into each other", named(sheet, least))
                                               : "; most of all " + named(sheet, least);
-  return fmt::format("{} {} from theta {:.1f} deg on, near [{:.1f}, {:.1f}, {:.1f}] mm{} at theta {:.1f} deg",
-                     named(sheet, first), what, to_degrees(first.theta), first.place.x(), first.place.y(),
-                     first.place.z(), deepest, to_degrees(least.theta));
+  return fmt::format(
+      "{} {} from a fold angle of {:.1f} deg on, near [{:.1f}, {:.1f}, {:.1f}] mm{} at {:.1f} deg",
+      named(sheet, first), what, to_degrees(first.theta), first.place.x(), first.place.y(), first.place.z(),
+      deepest, to_degrees(least.theta));
 }
 
 /// Sheet that can be printed, or the reason why there is none.
@@ -226,7 +227,9 @@ std::vector<model::HingeKind> kinds_of(const Design& design, const model::Proces
 
 std::vector<model::HingeKind> kinds_of(const Order& order) { return kinds_of(order.design, order.process); }
 
-std::string plural_kind(model::HingeKind kind) { return to_string(kind) + "s"; }
+std::string plural_kind(model::HingeKind kind) {
+  return kind == model::HingeKind::film ? "living hinges" : to_string(kind) + "s";
+}
 
 /// Tries the kinds of the process (model::Process::hinges). @param choice its kind does not count
 Fitted fitted(const Order& order, PrintChoice choice, ClearanceSearch search) {
@@ -280,7 +283,7 @@ std::string named_kinds(const Design& design, model::HingeKind open) {
 std::optional<std::string> describe_resizing(double from_mm, double to_mm) {
   const double times = to_mm / from_mm;
   if (std::abs(times - 1) < reported_size) return std::nullopt;
-  return fmt::format("the sheet and what it folds to are {:.3g} times as large", times);
+  return fmt::format("flat and folded sheet are {:.3g} times as large", times);
 }
 
 PreparedPrint prepared(const Design& design, const model::Process& process, const PrintChoice& choice,

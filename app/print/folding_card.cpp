@@ -126,7 +126,7 @@ struct DriveDrawing {
     for (const int hinge : cord.through) line.push_back(scale(drawing.hinges[hinge].place));
     picture.shapes.push_back({{line}, "", push, bold_mm});
     if (line.size() > 1) add_head(picture, line.back(), (line.back() - line[line.size() - 2]).normalized());
-    return fmt::format("Run a cord through the hinges on the line, and pull it shorter by {:.3g} mm.",
+    return fmt::format("Run a string through the hinges on the line, and pull it shorter by {:.3g} mm.",
                        cord.shorten_mm);
   }
   std::string operator()(const model::ShapeMemory&) const { return "Warm it. Its springs fold it."; }

@@ -42,7 +42,9 @@ std::string describe_material(const HingeSort& sort) {
   return sort.material.empty() ? "your material" : sort.material;
 }
 
-std::string plural(model::HingeKind kind) { return fmt::format("{}s", to_string(kind)); }
+std::string plural(model::HingeKind kind) {
+  return kind == model::HingeKind::film ? "living hinges" : fmt::format("{}s", to_string(kind));
+}
 
 /// Groups a sheet's hinges, in the order in which they first occur.
 std::vector<HingeSort> hinge_sorts(const PrintSheet& sheet) {
@@ -89,13 +91,13 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
     if (chosen && sort.material != printed)
       out.push_back(fmt::format(
           "{} prints {} of {}: {} of {} have the stiffness of the design only if they are printed of that",
-          sheet.process.name, sheet.is_one_material() ? "walls and films in one," : "soft parts", printed,
-          plural(sort.kind), describe_material(sort)));
+          sheet.process.name, sheet.is_one_material() ? "walls and living hinges in one," : "soft parts",
+          printed, plural(sort.kind), describe_material(sort)));
   }
   if (soft.size() > 1 && !sheet.is_one_material())
     out.push_back(
-        fmt::format("{} are one soft part in the files, printed of one material: stiffnesses of the design "
-                    "are those of each its own",
+        fmt::format("{} are one soft part in the files, printed of one material: the design assumes a "
+                    "separate material for each",
                     fmt::join(soft, " and ")));
   return out;
 }
@@ -110,7 +112,8 @@ std::optional<std::string> thin_film_warning(const PrintSheet& sheet) {
     if (hinge.made.kind == model::HingeKind::film) thinnest = std::min(thinnest, hinge.made.thickness_mm);
   if (!(thinnest < filament->line_mm)) return std::nullopt;
   return fmt::format(
-      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays. Slicers omit them, or print "
+      "living hinges of {:.3g} mm are thinner than the line of {:g} mm that {} lays. Slicers omit them, or "
+      "print "
       "them thicker and stiffer than designed",
       thinnest, filament->line_mm, sheet.process.name);
 }

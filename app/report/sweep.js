@@ -57,7 +57,7 @@ function factorTable(data) {
             "p", {class: "note"},
             "Last columns: share of the response's variance that goes with the factors of the row, with its 95 % interval where there is one. " +
                 (data.method === "factorial" || data.method === "saltelli" ?
-                     "Of several factors together, the sum of what each does by itself." :
+                     "For several factors together, the sum of their separate effects." :
                      "Of several factors together, what is in proportion to each; of one, any effect.")) :
         null
   ];
@@ -152,7 +152,7 @@ function responseSection(data, r) {
         html(
             "p", {class: "note"},
             `Dots: ${describeDots(data)}. ${describeLine(data)}` +
-                (left > 0 ? ` Of ${data.factors.length} factors those that seem to matter most; samples.csv has all.` : "")),
+                (left > 0 ? ` The most influential of ${data.factors.length} factors are listed. samples.csv has all.` : "")),
         html(
             "div", {class: several ? "groups" : ""},
             response.plotted.map((k) => responsive((width) => drawEffect(data, r, k, width)))),

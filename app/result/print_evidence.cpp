@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& 
     lines.emplace_back(
         "CORNERS",
         fmt::format("the two halves of wall {} collide at a turn of {:.1f} deg, and this design turns "
-                    "it by {:.1f} deg. Use a longer hinge gap",
+                    "it by {:.1f} deg. Use a longer gap (`gap_mm`)",
                     wall_name(run.design.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
                     t->turn / radians_per_degree));
   return lines;
@@ -185,7 +185,8 @@ std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
 std::string describe_soft_hinges(const SoftHinges& soft) {
   const model::ManufacturedHinge& block = soft.made;
   return fmt::format("{}hinges: {} {} {:.1f} mm long, peak strain {:.2g} (limit {:g})",
-                     soft.is_assumed ? "assumed " : "", block.material.name, to_string(block.kind),
+                     soft.is_assumed ? "assumed " : "", block.material.name,
+                     block.kind == model::HingeKind::film ? "living hinge" : to_string(block.kind),
                      block.gap_mm, soft.strain, block.material.strain_max);
 }
 

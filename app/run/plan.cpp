@@ -13,13 +13,13 @@ constexpr std::size_t max_bodies_for_rank = 500;
 
 std::string wall_sentence(const model::ContactRange& range) {
   const double degrees = range.positive.theta / radians_per_degree;
-  if (!range.positive.touches) return fmt::format("no walls touch up to theta {:.1f} deg", degrees);
-  return fmt::format("walls touch at theta {:.2f} deg", degrees);
+  if (!range.positive.touches) return fmt::format("no walls touch up to a fold angle of {:.1f} deg", degrees);
+  return fmt::format("walls touch at a fold angle of {:.2f} deg", degrees);
 }
 
 std::string model_sentence(const Plan& plan, const model::Linkage& structure) {
   if (plan.model == Model::exact)
-    return "states come from the closed form; the simulation alone sees contact";
+    return "states follow from the analytic motion; only the simulation has contact";
   if (plan.model == Model::bullet) return "the state comes from the simulation";
   const auto leaning = std::find_if_not(structure.hinges.begin(), structure.hinges.end(),
                                         [](const model::RestHinge& hinge) { return is_vertical(hinge); });

@@ -42,7 +42,7 @@ SearchResult planned(SearchResult found, bool brief) {
       (brief ? make_brief_plan : make_plan)(found.design.structure, found.model, std::move(found.plan.exact));
   if (!found.goal || found.plan.model == Model::equilibrium) return found;
   if (!found.plan.exact)
-    throw InvalidInput("the design that was found has no exact motion: " + found.plan.exact.why);
+    throw InvalidInput("the design that was found has no analytic motion: " + found.plan.exact.why);
   found.own = found.motion ? found.motion(found.theta) : found.plan.exact.at(found.theta);
   return found;
 }
@@ -105,12 +105,12 @@ std::vector<std::string> collisions_during_motion(const Run& run, const std::str
 }
 
 std::string describe_other_side(const Equilibrium& equilibrium, double theta) {
-  return fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for", to_degrees(theta),
+  return fmt::format("folded to {:.2f} deg instead of the requested {:.2f} deg", to_degrees(theta),
                      to_degrees(equilibrium.drive.theta()));
 }
 
 std::string describe(model::EquilibriumPath::Stop stop) {
-  return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
+  return stop == model::EquilibriumPath::Stop::overstretched ? "joint separated" : to_string(stop);
 }
 
 std::string describe_missed_drive(const Equilibrium& equilibrium, double theta) {
@@ -119,7 +119,7 @@ std::string describe_missed_drive(const Equilibrium& equilibrium, double theta) 
 }
 
 std::string drive_stop_reason(const model::EquilibriumPath& path) {
-  return "the drive stops on its way, " + describe(path.stop) + ": " + path.why;
+  return "the drive stops before the fold, " + describe(path.stop) + ": " + path.why;
 }
 
 void follow(const RunOptions& run, double mm, optim::SolverOptions& search) {

@@ -147,7 +147,7 @@ def in_plane_inset(page, at):
 
 def legend(page, at):
     x, y = at
-    words = ((CLASS_A, "class A", 0), (CLASS_B, "class B: every other vertex, as on a checkerboard", 112))
+    words = ((CLASS_A, "sublattice A", 0), (CLASS_B, "sublattice B: every other vertex, as on a checkerboard", 142))
     for color, word, dx in words:
         page.line([(x + dx, y - 5), (x + dx + 20, y - 5)], color, THICKNESS)
         page.text((x + dx + 30, y), word)

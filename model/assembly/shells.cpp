@@ -142,7 +142,7 @@ std::string shell_defect(const Polyhedron& shell) {
                       [](const HalfEdge& e) { return e.forward; });
     const std::string at = place_text((shell.points[edges[first].low] + shell.points[edges[first].high]) / 2);
     if (end - first == 1)
-      defect = "is open: a triangle ends at " + at + " and no other goes on";
+      defect = "is open: a triangle ends at " + at + " and no other continues it";
     else if (end - first == 2 && forward != 1)
       defect = "has neighbours wound against each other at " + at;
     else if (end - first > 2)

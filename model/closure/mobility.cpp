@@ -215,7 +215,7 @@ class Examination {
 
   bool continues_in_closed_form() {
     return goes_on(follow_closed_form(s_, exact_, options_),
-                   "the closed form of " + exact_.name + " closes all hinges");
+                   "the analytic motion of " + exact_.name + " closes all hinges");
   }
 
   /// Returns true if the motion continues. A closed end state without a first-order motion is a second
@@ -240,7 +240,7 @@ class Examination {
       return conclude(Verdict::not_mobile, "the one first-order motion of flat leaves " + misfit);
     return conclude(
         Verdict::undecided,
-        "none of the first-order motions of flat that were tried goes on; the best leaves " + misfit);
+        "none of the first-order motions of flat that were tried continues; the best leaves " + misfit);
   }
 
   Mobility conclude(Verdict verdict, const std::string& why) {

@@ -358,8 +358,9 @@ class CertifiedSide {
 }  // namespace
 
 void CertifiedOptions::validate() const {
-  if (!(limit > 0) || !(limit <= pi / 2)) throw InvalidInput("the limit of theta must lie in (0, 90] deg");
-  if (!(precision >= 1e-12)) throw InvalidInput("the precision of theta must be at least 1e-12 rad");
+  if (!(limit > 0) || !(limit <= pi / 2))
+    throw InvalidInput("the limit of the fold angle must lie in (0, 90] deg");
+  if (!(precision >= 1e-12)) throw InvalidInput("the precision of the fold angle must be at least 1e-12 rad");
   if (!(growth_mm >= 0)) throw InvalidInput("the growth of walls must be at least 0 mm");
   if (!(max_states > 0)) throw InvalidInput("the number of states must be above 0");
 }

@@ -182,9 +182,10 @@ std::vector<WallPair> WallContact::overlapping(const State& state,
 }
 
 void ThetaRangeOptions::validate() const {
-  if (!(limit > 0) || !(limit <= pi / 2)) throw InvalidInput("the limit of theta must lie in (0, 90] deg");
-  if (!(step >= 1e-6)) throw InvalidInput("the step of theta must be at least 1e-6 rad");
-  if (!(precision >= 1e-14)) throw InvalidInput("the precision of theta must be at least 1e-14 rad");
+  if (!(limit > 0) || !(limit <= pi / 2))
+    throw InvalidInput("the limit of the fold angle must lie in (0, 90] deg");
+  if (!(step >= 1e-6)) throw InvalidInput("the step of the fold angle must be at least 1e-6 rad");
+  if (!(precision >= 1e-14)) throw InvalidInput("the precision of the fold angle must be at least 1e-14 rad");
 }
 
 double closing_theta(const CellSize& size) { return std::atan(1 - size.thickness_mm / size.edge_mm); }

@@ -29,9 +29,9 @@ void check_clearance(const Elasticity& e) {
   require("play_mm", e.play_mm, e.play_mm >= 0 && e.play_mm <= e.reach_mm,
           "from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
   if (e.play_mm > 0 && !(e.ratios.axial == e.ratios.shear && e.tilt.are_by_reach()))
-    throw InvalidInput(
-        "play_mm is " + number_text(e.play_mm) +
-        ", which only a hinge can have that is alike along and across its wall and tilts by its reach");
+    throw InvalidInput("play_mm is " + number_text(e.play_mm) +
+                       ", which only applies to a hinge that is equally stiff along and across its wall and "
+                       "tilts by its reach");
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ void place_hinges(const ParallelDrawing& y, Lattice& sheet) {
 ExactMotion exact_motion(const Lattice& sheet) {
   if (const Structure* squares = sheet.squares()) return exact_motion(*squares);
   if (const SodaliteStructure* block = sheet.sodalite()) return exact_motion(*block);
-  if (sheet.assembly()) return {{}, "none", "imported bodies have no closed form"};
+  if (sheet.assembly()) return {{}, "none", "imported bodies have no analytic motion"};
   return exact_motion(*sheet.planar());
 }
 
@@ -218,9 +218,9 @@ class Trials {
     add("plates normal to x", [&] { return plates(Axis::x); });
     const auto [middle, rim] = extreme_hinges();
     add("hinge in the middle, wall " + wall_name(sheet_, middle), [&, h = middle] { return hinge(h); });
-    add("hinge at the rim, wall " + wall_name(sheet_, rim), [&, h = rim] { return hinge(h); });
-    add("cord along the middle row", [&] { return cord(Axis::y); });
-    add("cord along the middle column", [&] { return cord(Axis::x); });
+    add("hinge at the boundary, wall " + wall_name(sheet_, rim), [&, h = rim] { return hinge(h); });
+    add("tendon along the middle row", [&] { return cord(Axis::y); });
+    add("tendon along the middle column", [&] { return cord(Axis::x); });
     return std::move(trials_);
   }
 

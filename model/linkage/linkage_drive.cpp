@@ -141,7 +141,7 @@ std::string LinkageDrive::coordinate_name() const {
 std::string LinkageDrive::describe_coordinate() const {
   if (kind == Kind::plates) return "compression";
   if (kind == Kind::hinge) return "hinge angle";
-  return kind == Kind::cord ? "cord shortened by" : "springs' rest angle";
+  return kind == Kind::cord ? "tendon shortened by" : "springs' rest angle";
 }
 
 bool LinkageDrive::determines_fold() const { return kind != Kind::cord && kind != Kind::shape_memory; }
@@ -212,15 +212,15 @@ bool can_shorten(const Linkage& linkage, const std::vector<int>& through) {
 }
 
 void check_cord(const Linkage& linkage, const std::vector<int>& through) {
-  if (through.size() < 2) refuse_cord("a cord runs through the hinges of at least two walls");
+  if (through.size() < 2) refuse_cord("a tendon runs through the hinges of at least two walls");
   for (std::size_t k = 1; k < through.size(); ++k)
     if (through[k] == through[k - 1])
       refuse_cord("wall " + linkage.wall_name(through[k]) + " is named twice in a row");
   if (!can_shorten(linkage, through))
     refuse_cord(
         "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive "
-        "shortens this "
-        "cord. Name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
+        "shortens this tendon. Name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], "
+        "...], or every "
         "other one");
 }
 
@@ -251,7 +251,7 @@ LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through,
   drive.shorten_mm = shorten_mm;
   if (shorten_mm >= 0 && shorten_mm < drive.rest_mm) return drive;
   throw InvalidInput(number_text(shorten_mm) +
-                         " is out of range. Give a number from 0 and below the cord's length, " +
+                         " is out of range. Give a number from 0 and below the tendon's length, " +
                          number_text(drive.rest_mm) + " mm",
                      {"", 0, 0, "drive.shorten_mm"});
 }

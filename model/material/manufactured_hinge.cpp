@@ -12,8 +12,8 @@ const std::vector<Material>& materials() {
       {"tango", 1, 0.48, 0.5,
        "PolyJet rubber of Shore 27 A (TangoPlus FLX930 has 26 to 28): E from the hardness by A. N. Gent, On "
        "the relation "
-       "between indentation hardness and Young's modulus, IRI Transactions 34, 1958, and by Ruess' lg E = "
-       "0.0235 S - 0.6403 alike; nu of rubbers in "
+       "between indentation hardness and Young's modulus, IRI Transactions 34, 1958, and Ruess' lg E = "
+       "0.0235 S - 0.6403 gives the same; nu of rubbers in "
        "general; "
        "the strain is an estimate, well below that at break, for notches and repeated bending"},
       {"tpu95a", 26, 0.48, 0.5,
@@ -133,7 +133,7 @@ void check_pin(const ManufacturedHinge& p, const CellSize& size) {
   require("clearance_mm", p.clearance_mm, p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm,
           "at least 0 and below the cell edge");
   require("clearance_mm", p.clearance_mm, !p.with_play || p.clearance_mm <= p.height_mm / 2,
-          "at most half of the height of a pin with play");
+          "at most half of the height of a pin with clearance");
   require("diameter_mm", p.diameter_mm, p.diameter_mm > 0, "above 0");
   const double room = room_for_knuckles(size);
   if (knuckle_mm(p) <= room) return;

@@ -194,7 +194,7 @@ std::string words(const ScaledDisplay& s) {
                      std::string(s.converged ? "optimal" : "not converged after many iterations");
   if (s.rounds > 1)
     text += "; " + std::to_string(s.rounds) + " rounds, each with less turning, so that walls stay apart";
-  if (!s.clear) text += "; walls meet on the way all the same";
+  if (!s.clear) text += "; walls still collide during the motion";
   return text;
 }
 

@@ -81,8 +81,8 @@ class NetSearch {
     const int count = static_cast<int>(goal_.nets.size());
     for (int k = 0; k < count; ++k) {
       progress_("search", static_cast<double>(k) / count,
-                fmt::format("unfolding {} of {}, best free to {:.0f} % of its way", k + 1, count,
-                            100 * best_share_));
+                fmt::format("unfolding {} of {}, best without contact to {:.0f} % of its motion", k + 1,
+                            count, 100 * best_share_));
       const std::vector<int> columns = columns_of(goal_.nets[k], finer);
       const std::optional<Obstacle> obstacle = try_net(k, columns);
       design_.attempts.push_back({k, columns, obstacle ? obstacle->why : ""});
@@ -193,9 +193,10 @@ class NetSearch {
 
   std::optional<Obstacle> accept(int index, FoldedNet best) {
     if (const auto crossing = first_face_crossing(best))
-      return Obstacle{fmt::format("faces `{}` and `{}` cross on the way, at theta {:.1f} of {:.1f} deg",
-                                  best.net.faces[crossing->first].name, best.net.faces[crossing->second].name,
-                                  to_degrees(crossing->theta), to_degrees(best.theta))};
+      return Obstacle{
+          fmt::format("faces `{}` and `{}` cross during the motion, at a fold angle of {:.1f} of {:.1f} deg",
+                      best.net.faces[crossing->first].name, best.net.faces[crossing->second].name,
+                      to_degrees(crossing->theta), to_degrees(best.theta))};
     design_.folded = std::move(best);
     design_.net = index;
     design_.folds = true;
@@ -233,8 +234,9 @@ class NetSearch {
   static std::string described(double theta, double needed) {
     if (!(theta > 0)) return "touch when flat";
     if (!(theta < needed))
-      return fmt::format("run into each other as the fold closes, at theta {:.2f} deg", to_degrees(theta));
-    return fmt::format("run into each other at theta {:.2f} deg; the fold needs {:.2f} deg",
+      return fmt::format("run into each other as the fold closes, at a fold angle of {:.2f} deg",
+                         to_degrees(theta));
+    return fmt::format("run into each other at a fold angle of {:.2f} deg; the fold needs {:.2f} deg",
                        to_degrees(theta), to_degrees(needed));
   }
 
@@ -318,7 +320,8 @@ class SolidSearch {
     fold_at(options_.theta.upper);
     if (!(least < options_.theta.upper))
       return fmt::format(
-          "with {} a crease tilts of {:.1f} deg would be needed even at theta {:.1f} deg; at most {:.1f} deg "
+          "with {} a crease tilts of {:.1f} deg would be needed even at a fold angle of {:.1f} deg; at most "
+          "{:.1f} deg "
           "is allowed",
           describe(columns), to_degrees(std::atan(steepest / std::sin(options_.theta.upper))),
           to_degrees(options_.theta.upper), to_degrees(options_.tilt));
@@ -356,7 +359,7 @@ class SolidSearch {
     }
     if (wanted != 0) fold_at(wanted);
     return fmt::format(
-        "with {} a crease walls run into each other at theta {:.1f} deg; the fold needs {:.1f} deg",
+        "with {} a crease walls run into each other at a fold angle of {:.1f} deg; the fold needs {:.1f} deg",
         describe(columns), to_degrees(farthest), to_degrees(wanted));
   }
 
@@ -392,7 +395,7 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
   for (int k = first; k <= last && !design.folds; ++k) {
     if (options.stop.stop_requested() && k > first) break;
     progress("search", static_cast<double>(k - first) / (last - first + 1),
-             fmt::format("{} of {} columns a crease, best free to {:.0f} % of its way", k, last,
+             fmt::format("{} of {} columns a crease, best without contact to {:.0f} % of its motion", k, last,
                          100 * search.best_share()));
     const std::string why = search.try_columns(k);
     design.attempts.push_back({0, {k}, why});

@@ -273,7 +273,7 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
     if (tried.empty() || is_better(found, best)) best = std::move(found);
     tried.insert(theta);
     progress("search", static_cast<double>(tried.size()) / (options.thetas + halvings),
-             fmt::format("theta {} of at most {}, best {:.2g} of the diagonal off", tried.size(),
+             fmt::format("fold angle {} of at most {}, best {:.2g} of the diagonal off", tried.size(),
                          options.thetas + halvings, best.error.rms));
   };
   // Starts with the largest theta: the more a panel is folded the more its boundary can change, until walls

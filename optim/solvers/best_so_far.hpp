@@ -61,7 +61,7 @@ class BestSoFar {
     }
     if (target_reached()) {
       result_.status = SolveStatus::target_reached;
-      result_.why = "the residual reached the value asked for";
+      result_.why = "the residual reached the requested value";
     }
     return std::move(result_);
   }

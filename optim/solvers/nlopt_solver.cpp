@@ -58,7 +58,7 @@ void set_bounds(nlopt::opt& solver, const LeastSquaresProblem& problem, const Ei
 std::string words(nlopt::result result) {
   switch (result) {
     case nlopt::STOPVAL_REACHED:
-      return "the cost reached the value asked for";
+      return "the cost reached the requested value";
     case nlopt::FTOL_REACHED:
       return "the cost stopped changing";
     case nlopt::XTOL_REACHED:

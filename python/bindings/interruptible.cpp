@@ -28,7 +28,7 @@ class Interrupts {
     const bool first = !stop_.stop_requested();
     stop_.request_stop();
     if (raised.matches(PyExc_KeyboardInterrupt) && first && keeps_best_)
-      py::print("interrupted: keeping the best so far",
+      py::print("stopping and keeping the best result so far",
                 py::arg("file") = py::module_::import("sys").attr("stderr"));
     else
       raised_.emplace(std::move(raised));

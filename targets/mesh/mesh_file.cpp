@@ -45,7 +45,7 @@ void check(const TriangleMesh& mesh) {
 TriangleMesh read_mesh(const std::string& file) {
   const std::string ending = lower_case(std::filesystem::path(file).extension().string());
   if (ending != ".obj" && ending != ".stl" && ending != ".ply")
-    throw InvalidInput("has no known mesh format, judged by its ending" + std::string(wanted), {file});
+    throw InvalidInput("has no known ending of a mesh format" + std::string(wanted), {file});
   const std::string bytes = read_bytes(file, max_mesh_bytes);
   try {
     const TriangleMesh mesh = parse(bytes, ending);

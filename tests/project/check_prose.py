@@ -2,8 +2,8 @@
 """Checks that comments and names are plain English. usage: check_prose.py SOURCE_FOLDER [FOLDER...]
 
 Prints each opening, phrase, long sentence and name that CONTRIBUTING.md rules out, in all folders of code or in those
-given. Quoted text in comments (between ` ` or " ") is exempt. In some folders texts for users are checked as well:
-string literals of help, errors and descriptions of keys, and descriptions in JSON Schemas.
+given. Quoted text in comments (between ` ` or " ") is exempt. Texts for users are checked as well: string literals of
+the sources, of the pages' scripts and of Python, README, the documentation, and descriptions in JSON Schemas.
 """
 import json
 import re
@@ -25,6 +25,16 @@ TEXT_FILES = ("app/goals/curve/curve_search.cpp", "app/goals/display/display_fil
 SCHEMAS = ("app/schema/result.schema.json", "app/schema/print.schema.json", "app/schema/sweep.schema.json")
 TEXT_OPENING = re.compile(r"(of|what|where|which|those|likewise|how) ")  # of descriptions, which start in lower case
 TEXT_PHRASES = re.compile(r"\b(left out|leave (it )?out|is no|are no|(mm|cells|walls|clearance),? a side|physics run|says|told|alike|beside)\b")
+# Home-made terms: docs/glossary.md has the standard ones ("Older words").
+TERMS = re.compile(r"\b(physics runs?|hinge gaps?|in matter|made hinges|what prints come to|ways to move|moves? exactly"
+                   r"|(proven|certified) free|redrawings?|class[- ][AB]|rotary (hinges?|joints?)|(a|the|whole|of) cords?|cords|films|overstretched"
+                   r"|judged?|judges|(mm|clearance|cells|walls|gap),? a side)\b", re.IGNORECASE)
+TERM_FOLDERS = ("app/", "kinetix/", "model/", "optim/", "python/", "sim/", "targets/")
+VALUES = {"hinge gap exceeded"}  # of results, which keep their words
+# Pages that kinetix-formats writes: their texts are checked in the sources.
+UNCHECKED_PAGES = re.compile(r"docs/reference/(cli|design|design-of-bodies|formats|print-json|result|sections|sweep|target-\w.*)\.md")
+# Code, links and the table of older words.
+PAGE_QUOTED = re.compile(r"^```.*?^```|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->|^## Older words$.*", re.MULTILINE | re.DOTALL)
 FEWEST_WORDS = 3  # of a text: shorter literals are keys, words and parts of sentences
 TOKENS = {"told", "tell", "say", "hear", "what", "own", "beat", "visitors"}
 NAME = re.compile(r"\b[A-Za-z]\w*_\w+\b")
@@ -103,6 +113,61 @@ def literals_of(source):
             yield source.count("\n", 0, match.start()) + 1, "".join(parts).replace('\\"', "'")
 
 
+def term_faults(line, text):
+    """Phrases and home-made terms of a text for users. Words in backticks are exempt."""
+    plain = re.sub(r"`[^`]*`", "x", text)
+    if " " not in plain.strip() or text in VALUES:
+        return
+    for pattern in (PHRASES, TERMS):
+        for match in pattern.finditer(plain):
+            yield "term", line, plain[max(0, match.start() - 30):match.end() + 30]
+
+
+def script_texts(source):
+    """String literals of scripts for browsers, without the code in templates: pairs of line number and text."""
+    for match in SLASH_COMMENT.finditer(source):
+        text = match["text"] or match["raw"]
+        if text:
+            yield source.count("\n", 0, match.start()) + 1, re.sub(r"\$\{[^}]*\}", "x", text[1:-1])
+
+
+def html_texts(source):
+    for match in re.finditer(r'>([^<>]+)<|(?:title|aria-label|placeholder)="([^"]*)"', source):
+        yield source.count("\n", 0, match.start()) + 1, match[1] or match[2] or ""
+
+
+def python_texts(source):
+    for match in HASH_COMMENT.finditer(source):
+        text = match["text"] or match["block"]
+        if text:
+            yield source.count("\n", 0, match.start()) + 1, text.strip("'\"")
+
+
+def page_texts(source):
+    """Prose of a page, line by line. Quoted parts are blank."""
+    prose = PAGE_QUOTED.sub(lambda match: "x" + "\n" * match[0].count("\n"), source)
+    # A phrase may continue on the next line.
+    lines = prose.split("\n")
+    for number, line in enumerate(lines, 1):
+        yield number, line
+    for number in range(1, len(lines)):
+        ends = " ".join(lines[number - 1].split()[-2:]), " ".join(lines[number].split()[:2])
+        yield number, " ".join(ends)
+
+
+TEXTS = {".cpp": literals_of, ".hpp": literals_of, ".js": script_texts, ".mjs": script_texts, ".html": html_texts,
+         ".py": python_texts, ".md": page_texts, ".in": page_texts}
+
+
+def texts_for_users(root):
+    names = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard", *TERM_FOLDERS, "docs/*.md", "README.md"],
+                           check=True, capture_output=True, text=True).stdout.split()
+    for name in sorted(names):
+        path = root / name
+        if path.suffix in TEXTS and not UNCHECKED_PAGES.fullmatch(name) and path.is_file():
+            yield name, TEXTS[path.suffix](path.read_text(encoding="utf-8"))
+
+
 def descriptions_of(schema):
     if isinstance(schema, dict):
         if isinstance(schema.get("description"), str):
@@ -117,7 +182,7 @@ def descriptions_of(schema):
 def schema_faults(root):
     for name in SCHEMAS:
         for text in descriptions_of(json.loads((root / name).read_text(encoding="utf-8"))):
-            for kind, _, words in text_faults(0, text):
+            for kind, _, words in [*text_faults(0, text), *term_faults(0, text)]:
                 yield f"{name}: {kind}: {words}"
 
 
@@ -161,7 +226,11 @@ const char* text = "of what_is_told";
     found = [(kind, line) for kind, line, _ in hits_of(Path("a.cpp"), source)]
     texts = 'f("of the rod of a pin"); f("is " "told; leave it out"); f("width of `a side`, per side"); f("of it");'
     found_texts = [(kind, line) for kind, line, _ in hits_of(Path("targets/a.cpp"), texts)]
-    return (found == [("opening", 2), ("phrase", 2), ("sentence", 5), ("name", 4), ("name", 4)]
+    terms = [list(term_faults(1, text)) for text in (
+        "the physics run agrees", "`physics run` of a hinge", "as made", "hinge gap exceeded", "a cord of `cord`", "kind: cord, x")]
+    pages = [line for line, text in page_texts("one\nthe physics\nrun `as made`\n## Older words\nas made\n")
+             if list(term_faults(line, text))]
+    return ([len(hits) for hits in terms] == [1, 0, 1, 0, 1, 0] and pages == [2] and found == [("opening", 2), ("phrase", 2), ("sentence", 5), ("name", 4), ("name", 4)]
             and found_texts == [("text", 1), ("text", 1), ("text", 1), ("phrase", 1)])
 
 
@@ -183,6 +252,8 @@ def main():
               for kind, line, words in hits_of(Path(name), path.read_text(encoding="utf-8"))]
     if not wanted or "app".startswith(wanted):
         faults += schema_faults(root)
+    faults += [f"{name}:{line}: {kind}: {words}" for name, texts in texts_for_users(root) if name.startswith(wanted or "")
+               for line, text in texts for kind, line, words in term_faults(line, text)]
     print("\n".join(faults) or "comments and names are plain English")
     return bool(faults)
 

@@ -64,7 +64,7 @@ class Interrupts(unittest.TestCase):
     def test_the_first_gives_the_best_so_far(self):
         last, errors = interrupted(WAITS.format(seconds=0.01), 1, calls=40)
         self.assertEqual(last, "stopped True None 22")
-        self.assertEqual(errors, "interrupted: keeping the best so far\n")
+        self.assertEqual(errors, "stopping and keeping the best result so far\n")
 
     def test_the_second_raises(self):
         last, errors = interrupted(WAITS.format(seconds=0.5), 2)

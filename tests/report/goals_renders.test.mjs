@@ -37,7 +37,7 @@ test("a display with elastomer hinges is shown within the limits of their strain
     "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}", "tolerance: {strain: 0.25}");
   page.drawn("display", "within the limits");
   page.drawn("display", "without them");
-  page.drawn("display", "looked at in the elastic model");
+  page.drawn("display", "simulated in the elastic model");
 });
 
 test("a helmet has its distance from the head", async () => {

@@ -179,7 +179,7 @@ test("a strip: its size, its slider and what it says", async () => {
   const bytes = statSync(await report("helmet_rib")).size;
   assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
   assert.ok(await page.$("#space .stage canvas"), "the scene is there");
-  assert.match(await page.$eval("#space .note", (note) => note.textContent), /closed form/);
+  assert.match(await page.$eval("#space .note", (note) => note.textContent), /analytic motion/);
   assert.ok((await stepMs()) > 0);
   assert.deepEqual(complaints, []);
 });

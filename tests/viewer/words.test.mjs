@@ -65,7 +65,7 @@ test("an error goes when what it was about is another design, or computed in ano
   await send(page, "mode", {mode: "bullet"});
   await noNews(page);
   await send(page, "mode", {mode: "exact"});
-  assert.notEqual(await send(page, "nearest"), "done", "it moves exactly as it is");
+  assert.notEqual(await send(page, "nearest"), "done", "it has one degree of freedom already");
   assert.equal(await text(page, "status"), "", "what was refused is not said to be done");
   await send(page, "open", {template: "strip"});
   await noNews(page);
@@ -82,7 +82,7 @@ test("the line of status is of the design that is shown", async () => {
   await send(page, "hinge", {index: 20, t: 0.4});
   await until(page, () => !document.getElementById("nearest").hidden);
   await page.click("#nearest");
-  await until(page, () => document.getElementById("status").textContent === "now it moves exactly");
+  await until(page, () => document.getElementById("status").textContent === "now it has one degree of freedom");
   await page.click("#undo");
   await until(page, () => document.getElementById("status").textContent === "" && !document.getElementById("nearest").hidden);
   await page.$eval("#map svg", (picture) => picture.focus());
@@ -127,7 +127,7 @@ test("Save takes the design, Save at this fold what is shown, and the page says 
     assert.equal(await text(page, "design_fold"), "design: 20\u00b0");
     await page.evaluate(() => window.kinetix.setTheta(35));
     await page.click("#save");
-    await until(page, () => /Saved: .*strip\.yaml, folded as the design says, 20\u00b0, not as the slider has it, 35\u00b0/.test(document.getElementById("messages").textContent));
+    await until(page, () => /Saved: .*strip\.yaml, folded as in the design, 20\u00b0, not as the slider has it, 35\u00b0/.test(document.getElementById("messages").textContent));
     assert.equal(thetaOf(file), 20);
     await page.click("#save_fold");
     await until(page, () => /folded as it is shown, 35\u00b0/.test(document.getElementById("messages").textContent));
@@ -138,7 +138,7 @@ test("Save takes the design, Save at this fold what is shown, and the page says 
     await until(page, () => document.getElementById("design_fold").textContent === "design: 20\u00b0" && !document.getElementById("unsaved").hidden);
     await page.click("#tab_make");
     assert.deepEqual(await page.$$eval('#export select[name="folded"] option', (all) => all.map(({textContent}) => textContent)),
-      ["as the design says (20\u00b0)", "as the slider has it (35\u00b0)"]);
+      ["as in the design (20\u00b0)", "as the slider has it (35\u00b0)"]);
     await page.select('#export select[name="folded"]', "shown");
     await page.click('#formats input[value="3mf"]');
     await page.click("#export button[type=submit]");

@@ -205,8 +205,9 @@ const targets::KeyTable& curve_keys() {
            "solver of the search"},
       },
       any_hinge,
-      {robust_key("the fold angle, gaps of blocks and films and, without `structure.cell_mm`, the number of "
-                  "columns")});
+      {robust_key(
+          "the fold angle, gaps of blocks and living hinges and, without `structure.cell_mm`, the number of "
+          "columns")});
   return keys;
 }
 

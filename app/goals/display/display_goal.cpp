@@ -31,8 +31,9 @@ std::string describe_melting(const targets::DisplayGoal& goal, const DisplayRead
   const targets::Topology drawn = topology(goal);
   if (!reading.seen || *reading.seen == drawn) return "";
   return fmt::format(
-      "letters melt or break on the panel: drawn are {} parts with {} holes, {} and {} can be told apart; "
-      "use more cells",
+      "letters merge or break on the panel: {} parts with {} holes are drawn, {} and {} are visible. Use "
+      "more "
+      "cells",
       drawn.components, drawn.holes, reading.seen->components, reading.seen->holes);
 }
 
@@ -44,7 +45,7 @@ std::string describe_estimate(targets::PanelSize size) {
 std::string pressed_less(const DisplayFile& file, const DisplayOutcome& display) {
   const bool turned = display.design.view.turn.has_value();
   const std::string less = turned ? "less turning" : "less compression";
-  if (display.limits_stopped) return "what was tried of " + less + " before the search was stopped";
+  if (display.limits_stopped) return less + " as far as the search tried it";
   if (!display.least_pressed) return less;
   const DisplayFile least = pressed_by(file, *display.least_pressed);
   return less + (turned ? fmt::format(", down to {:.2g} deg,", to_degrees(least.angle))
@@ -86,8 +87,7 @@ std::string below_zero(const DisplayOutcome& display, const DisplayReading& afte
   const auto dark =
       std::count_if(light.begin(), light.end(), [](double of_cell) { return of_cell < min_light; });
   if (display.channel != optim::Channel::light || dark == 0) return "";
-  return fmt::format(
-      "the light of {} cells is below zero: their walls lie over each other; take thinner ones", dark);
+  return fmt::format("the light of {} cells is below zero: their walls overlap. Use thinner walls", dark);
 }
 
 std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display,
@@ -102,7 +102,7 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
     why.push_back(lost);
   if (const std::string dark = below_zero(display, shown.reading); !dark.empty()) why.push_back(dark);
   if (!(shown.stretch <= file.stretch))
-    why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
+    why.push_back(fmt::format("a joint separates by {:.3f} cell edges; at most {:.3f} is allowed",
                               shown.stretch, file.stretch));
   if (display.loads)
     for (const std::string& limit :
@@ -284,10 +284,10 @@ extern const GoalKind display_kind = {
         {"light_letter", "", "mean transmittance of the letter's cells, a fraction of the lamp's light"},
         {"light_rest", "", "mean transmittance of the other cells"},
         {"light_ratio", "", "luminance ratio: `light_letter` over `light_rest`"},
-        {"contrast_rest", "", "contrast before compression"},
+        {"contrast_rest", "", "separation d′ before compression"},
         {"auc_rest", "", "auc before compression"},
         {"stretch_max", "cell edges", "largest joint separation"},
-        {"contrast_physics", "", "contrast in the simulation"},
+        {"contrast_physics", "", "separation d′ in the simulation"},
         {"auc_physics", "", "auc in the simulation"},
         {"separation_physics", "", "separation in the simulation"},
         {"rank_physics", "", "rank in the simulation"}}};
@@ -319,8 +319,8 @@ std::vector<std::string> violations(const DisplayFile& file, const targets::Disp
     why.push_back(fmt::format("{}: {} {:.3f}; at least {:.3f} is required", who,
                               binary ? "auc" : "rank correlation", measured_value, file.auc));
   if (binary && !(score.contrast >= file.contrast))
-    why.push_back(
-        fmt::format("{}: contrast {:.2f}; at least {:.2f} is required", who, score.contrast, file.contrast));
+    why.push_back(fmt::format("{}: separation d′ {:.2f}; at least {:.2f} is required", who, score.contrast,
+                              file.contrast));
   return why;
 }
 

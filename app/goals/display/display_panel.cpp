@@ -289,12 +289,12 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
 
 /// Explains why there is no print tolerance analysis of the panel. Empty if there is one.
 std::string unevaluated(const DisplayFile& file, const Run& run) {
-  if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
+  if (!file.goal.is_binary()) return "the analysis covers only pictures of two levels";
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
   if (run.equilibrium->path.let_go > 0)
-    return "prints are looked at with all bodies held that plates press on";
+    return "the analysis needs every body that the plates press on to stay at its plate";
   if (run.design.structure.cells() > max_printed_cells)
-    return fmt::format("only panels of up to {} cells are judged as made", max_printed_cells);
+    return fmt::format("the analysis covers only panels of up to {} cells", max_printed_cells);
   return "";
 }
 
@@ -305,7 +305,7 @@ void add_missing(const DisplayFile& file, const optim::DisplayTolerance& made, c
     why.push_back(
         fmt::format("{} show it with auc {:.3f}, and at least {:g} is required", who, made.auc, file.auc));
   if (made.contrast_p05 < file.contrast)
-    why.push_back(fmt::format("95 of 100 of {} have a contrast above {:.2f}, and at least {:g} is required",
+    why.push_back(fmt::format("95 % of {} have a separation d′ above {:.2f}, and at least {:g} is required",
                               who, made.contrast_p05, file.contrast));
 }
 

@@ -169,9 +169,8 @@ std::string other_size(const FoldFile& file, const optim::FoldDesign& found, con
         looser);
   const auto mm = edges_mm(file.goal, found);
   return fmt::format(
-      "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}], "
-      "which "
-      "can be asked for, or {}",
+      "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}]. "
+      "Request that box, or {}",
       edge_of_cells(file, found.folded, optim::max_cells_across), edge_of_cells(file, found.folded, 1), mm[0],
       mm[1], mm[2], looser);
 }
@@ -262,7 +261,7 @@ class FoldGoal final : public Goal {
     const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
                                          run.design.hinge, run.design.hinge_overrides);
     out->loads = FoldLoads{run.theta, loads};
-    model::append(app::violations(file_.limits, loads, "a smaller theta"), out->violations);
+    model::append(app::violations(file_.limits, loads, "a smaller fold angle"), out->violations);
     return out;
   }
 
@@ -360,7 +359,7 @@ class FoldGoal final : public Goal {
     }
     forecast.search_s += box_searches;
     forecast.notes.push_back(fmt::format(
-        "{}: the search goes on with other cells, for {}, or up to {} where many of them nearly fit", off,
+        "{}: the search continues with other cells, for {}, or up to {} where many of them nearly fit", off,
         about(box_searches), about(box_searches + folds)));
   }
 
@@ -371,7 +370,7 @@ class FoldGoal final : public Goal {
     const double miss = optim::size_miss(edges_mm(file.goal, design), *file.goal.box_mm);
     if (miss <= file_.size_tolerance) return "";
     return fmt::format(
-        "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: {}",
+        "an edge of the box is {:.1f} % longer or shorter than requested; at most {:.1f} % is allowed: {}",
         100 * miss, 100 * file_.size_tolerance, other_size(file, design, options));
   }
 

@@ -15,7 +15,7 @@ Json loads_json(const FoldLoads& loads) {
 }
 
 std::string loads_text(const FoldLoads& loads) {
-  return fmt::format("at theta {:.1f} deg: {:.3g} N{}, strain {:.2f}", to_degrees(loads.theta),
+  return fmt::format("at a fold angle of {:.1f} deg: {:.3g} N{}, strain {:.2f}", to_degrees(loads.theta),
                      loads.hinges.force_N, describe_lever(loads.hinges), loads.hinges.strain);
 }
 
@@ -79,8 +79,9 @@ void FoldOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = std::move(out);
   result["optimiser"] = {
       {"solver", "closed form"}, {"starts", shape.attempts.size()}, {"evaluations", shape.evaluations}};
-  add_end(shape.stopped, shape.folds, "every crease reaches its angle at one theta, with no wall in the way",
-          shape.why_not, result["optimiser"]);
+  add_end(shape.stopped, shape.folds,
+          "every crease reaches its angle at one fold angle, and no walls collide", shape.why_not,
+          result["optimiser"]);
 }
 
 void FoldOutcome::add_metrics(const Run& run, Json& metrics) const {

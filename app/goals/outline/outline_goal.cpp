@@ -65,10 +65,9 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
   if (file.flat)
     for (const std::string& lacks : violations(file, outline.design.flat, "flat")) why.push_back(lacks);
   if (!outline.design.clear)
-    why.push_back(
-        outline.design.stopped
-            ? "walls meet before the panel is pressed so far, where the search was stopped"
-            : "walls meet before the panel is pressed so far: use thinner walls or a smaller theta");
+    why.push_back(outline.design.stopped
+                      ? "walls collide before this compression, and the search was stopped"
+                      : "walls collide before this compression: use thinner walls or a smaller fold angle");
   return why;
 }
 
@@ -103,8 +102,9 @@ class OutlineGoal final : public Goal {
     out.theta = outline->design.theta;
     out.plan.exact = exact_motion(out.design.structure);
     if (!out.plan.exact)
-      throw InvalidInput("no panel with such offsets moves exactly: " + out.plan.exact.why,
-                         {"", 0, 0, "variables.offset_mm"});
+      throw InvalidInput(
+          "no panel with such offsets is a one-degree-of-freedom mechanism: " + out.plan.exact.why,
+          {"", 0, 0, "variables.offset_mm"});
     // Results show the orientation of the drawing; the drive acts along the lattice.
     if (outline->turn != 0) out.to_shown = turned_about_z(-outline->turn);
     const model::State exact = shown(out.plan.exact.at(out.theta), outline->turn);

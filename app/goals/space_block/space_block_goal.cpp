@@ -178,7 +178,7 @@ struct SpaceBlockOutcome final : GoalOutcome {
                            {"starts", 1},
                            {"evaluations", 1},
                            {"status", "converged"},
-                           {"why", "gussets and theta follow from the factors"}};
+                           {"why", "gussets and fold angle follow from the factors"}};
   }
   void add_metrics(const Run& run, Json& metrics) const override {
     metrics["factor_off"] = measure_of<SpaceBlockMeasure>(run).error.off;
@@ -212,10 +212,10 @@ struct SpaceBlockOutcome final : GoalOutcome {
 std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
                                     const std::string& who) {
   if (error.off <= file.factor_tolerance) return {};
-  return {
-      fmt::format("{}: the block shrinks to {} of its lengths, {:.2g} off what was asked; at most {:g} is "
-                  "allowed",
-                  who, factors_text(error.factors), error.off, file.factor_tolerance)};
+  return {fmt::format(
+      "{}: the block shrinks to {} of its lengths, {:.2g} off the requested factors; at most {:g} is "
+      "allowed",
+      who, factors_text(error.factors), error.off, file.factor_tolerance)};
 }
 
 /// Describes which keys to change for lengths at rest nearer to the required ones.
@@ -255,9 +255,9 @@ class SpaceBlockGoal final : public Goal {
     out->violations = violations(file_, out->error, describe(of));
     if (of == StateOf::physics) return out;
     if (file_.goal.size_mm && !(file_.found.size_off <= file_.size_tolerance))
-      out->violations.push_back(
-          fmt::format("lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: {}",
-                      100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
+      out->violations.push_back(fmt::format(
+          "lengths at rest are up to {:.1f} % off the requested lengths; at most {:g} % is allowed: {}",
+          100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
     model::append(collisions_during_motion(run, "use lower or thinner walls, or longer gussets"),
                   out->violations);
     return out;

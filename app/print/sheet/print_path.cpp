@@ -190,7 +190,7 @@ std::optional<std::string> equilibrium_beside_exact(const Design& design, double
   options.side = design.side;
   const model::EquilibriumPath traced =
       trace_equilibrium({design.structure, drive_of(design), exact}, elasticity_of(design), options);
-  const std::string start = "folded along its exact motion: the equilibrium of its elastic hinges ";
+  const std::string start = "folded along its analytic motion: the equilibrium of its elastic hinges ";
   if (traced.stop != model::EquilibriumPath::Stop::reached)
     return start + "does not get there: " + traced.why;
   const model::State fold = exact.at(exact_theta_of(design, exact));

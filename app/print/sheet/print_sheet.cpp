@@ -82,7 +82,7 @@ class SheetMaker {
   void make_whole() {
     choose_hinges();
     if (choice_.caps && !is_pin(sheet_.kind()))
-      throw InvalidInput("caps are of pins, and the design's hinges are not");
+      throw InvalidInput("round caps only apply to pins, and the design has other hinges");
     make_solids(sheet_);
   }
 

@@ -18,13 +18,13 @@ function readCertified(raw) {
 }
 
 function describeRange({low, high}) {
-  return `\u03b8 from ${degrees(low.theta)} to ${degrees(high.theta)}`;
+  return `fold angles from ${degrees(low.theta)} to ${degrees(high.theta)}`;
 }
 
 function describeLimit({walls, contact}, side) {
-  if (walls.length < 2) return `For ${side} \u03b8 no collision was found up to the end of the search.`;
+  if (walls.length < 2) return `For ${side} angles no collision was found up to the end of the search.`;
   const seen = finite(contact) === null ? "come closer than the rounding error" : `collide at ${degrees(contact)}`;
-  return `For ${side} \u03b8 it ends at walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
+  return `For ${side} angles it ends at walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
 }
 
 function thetaPlace(covers, {hasLeft}) {

@@ -6,8 +6,8 @@ const EVENT_NAMES = {
   contact: "walls touch",
   release: "walls part",
   lock: "walls lock",
-  slack: "the cord goes slack",
-  departure: "leaves the closed form",
+  slack: "the tendon goes slack",
+  departure: "leaves the analytic motion",
 };
 
 /** Names an event. A limit point is a maximum or a minimum of the load, depending on its sentence. */
@@ -18,7 +18,7 @@ function eventName({kind, what}) {
 
 const STOPS = {
   reached: "reached its goal",
-  torn: "stopped: a hinge is overstretched",
+  torn: "stopped: a joint separated",
   locked: "stopped: walls in contact jam it",
   "not converged": "stopped: no equilibrium found further on",
   "interrupted": "stopped: on request",
@@ -45,10 +45,10 @@ const DRIVES = {
     shown: toDegrees,
   },
   cord: {
-    holds: "The cord pulls with",
-    load: "tension of the cord",
-    axis: "shortening of the cord, mm",
-    words: (drive) => `${figures(drive)}${SPACE}mm less cord`,
+    holds: "The tendon pulls with",
+    load: "tension of the tendon",
+    axis: "shortening of the tendon, mm",
+    words: (drive) => `${figures(drive)}${SPACE}mm shorter tendon`,
     shown: (drive) => drive,
   },
   springs: {
@@ -160,8 +160,8 @@ function equilibriumNumbers(data) {
     keyNumber("Energy", force(equilibrium.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
     finite(metrics.exact_rms) !== null &&
         keyNumber(
-            "From the exact motion", millimetres(metrics.exact_rms * data.structure.cell),
-            `${figures(metrics.exact_rms, 2)} cell edges rms from the closed form of the same drive`),
+            "From the analytic motion", millimetres(metrics.exact_rms * data.structure.cell),
+            `${figures(metrics.exact_rms, 2)} cell edges rms from the analytic motion of the same drive`),
   ];
 }
 
@@ -242,7 +242,7 @@ function drawEnergy(data, width) {
 
 function eventTable({equilibrium}) {
   if (!equilibrium.events.length)
-    return html("p", {class: "note"}, "Nothing happened on the way: one smooth branch.");
+    return html("p", {class: "note"}, "No events: one smooth branch.");
   const row = (event, k) => ({
     cells: [
       String(k + 1), eventName(event), describeDrive(equilibrium, event.drive),

@@ -21,21 +21,21 @@ function designVerdict(data) {
   if (verified === false)
     return {mark: "!", tone: "bad", title: "The simulation " + failing(data), text: describePhysics(data)};
   const physics = verified ? ", and the simulation agrees" : "", text = verified ? describePhysics(data) : "";
-  if (met) return {mark: "\u2713", tone: "good", title: "The bodies end where they are pulled to" + physics, text};
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The bodies do not end where they are pulled to", text};
+  if (met) return {mark: "\u2713", tone: "good", title: "The bodies reach the requested poses" + physics, text};
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The bodies do not reach the requested poses", text};
   return {
     mark: "i",
     tone: "unsure",
     title: verified ? "One folded state, and the simulation agrees" : "One folded state",
     text: verified && finite(data.metrics.verify_rms) !== null ? describePhysics(data) :
-                                                                 "There was no target to judge it by."
+                                                                 "The file has no target to compare with."
   };
 }
 
 /** Describes the soft hinges with which prints are judged, in one sentence; "" if there are none. */
 function describeSoftHinges(taken) {
   if (!taken) return "";
-  const what = `${taken.material} ${taken.kind}s ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
+  const what = `${taken.material} ${taken.kind === "film" ? "living hinges" : `${taken.kind}s`} ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
   return taken.assumed ? ` You did not specify hinges, so kinetix assumed ${what}.` : ` Its hinges are ${what}.`;
 }
 

@@ -2,18 +2,18 @@
 
 const FAMILIES = {
   F1: "F1, planar sheet: all hinges upright, moves within its plane",
-  F2: "F2, cylindrical sheet: bends along one direction, moves exactly",
+  F2: "F2, cylindrical sheet: bends along one direction, one degree of freedom",
   F3: "F3, tilted rows: as F2, with the cross walls tilted too",
   F4: "F4, net of strips that share bodies",
-  planar: "planar sheet: all hinges upright, every cell closes on a path of its own",
+  planar: "planar sheet: all hinges upright, every cell closes, each body follows its own path",
   creased: "creased sheet: planar panels, folded about lines that stay straight",
-  none: "none: no exact motion, the hinges have to stretch",
+  none: "none: no analytic motion, joints have to separate",
 };
 
 const MODELS = {
-  exact: "exact: closed form, no hinge stretches",
+  exact: "exact: analytic motion, no joint separates",
   equilibrium: "equilibrium: rigid walls and elastic hinges at rest",
-  bullet: "physics engine (Bullet)",
+  bullet: "rigid-body simulation (Bullet)",
 };
 
 /** Words for keys of `timing_s` that are not a verb. */
@@ -89,7 +89,7 @@ function stiffnessGroup({equilibrium, structure}) {
   const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} =
       structure.isBodies ? {k_contact: equilibrium.stiffness.k_contact} : equilibrium.stiffness;  // else per hinge
   return group("Hinges and walls", facts([
-                 ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
+                 ["Joint stiffness per point", finite(point) === null ? null : `${neat(point)} N/mm`],
                  ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
                  ["Points at \u00b1", finite(reach) === null ? null : millimetres(reach)],
                  ["Walls in contact", finite(contact) === null ? null : `${neat(contact)} N/mm`],
@@ -109,7 +109,7 @@ function searchGroup({optimiser}) {
 function physicsGroup({physics}) {
   const options =
       Object.entries(dictionary(physics.options)).map(([key, value]) => [title(key), formatValue(value)]);
-  return group("Physics run", facts([
+  return group("Simulation", facts([
                  ["Status", formatValue(physics.status)],
                  ["Because", formatValue(physics.why)],
                  ["Steps", finite(physics.steps) === null ? null : String(physics.steps)],

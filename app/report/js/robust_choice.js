@@ -10,7 +10,7 @@ function robustFront(choices) {
 }
 
 function robustChoiceName(one) {
-  return `theta ${degrees(toDegrees(one.theta_rad))}` + (finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`);
+  return `fold angle ${degrees(toDegrees(one.theta_rad))}` + (finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`);
 }
 
 function drawRobustChoices(choices, width) {

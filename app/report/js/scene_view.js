@@ -27,7 +27,7 @@ function wayOf(model, frames) {
 function motionOf(data) {
   const {model, frames, flat} = data.states, {family} = data.plan, to = model.theta ?? 0;
   const exact = family !== "none" && model.model === "exact" && to !== 0 ? KinetixScene.exactMotion(data.raw.structure, family) : null;
-  if (exact) return {poses: exact, from: 0, to, at: to, words: "The slider computes every position from the closed form of the sheet."};
+  if (exact) return {poses: exact, from: 0, to, at: to, words: "The slider computes every position from the analytic motion of the sheet."};
   const end = wayOf(model, frames), before = frames.filter(({theta}) => theta !== end);
   const stored = [...before, ...(end === null ? [] : [{...model, theta: end}])].map((state) => ({theta: state.theta, poses: numbersOf(state)}));
   if (flat && !(stored[0]?.theta < 1e-6)) stored.unshift({theta: 0, poses: numbersOf(flat)});
@@ -36,7 +36,7 @@ function motionOf(data) {
   const other = Math.abs(to - end) > SAME_THETA;
   return {poses: KinetixScene.storedMotion(known), from: end < 0 ? known[known.length - 1].theta : known[0].theta, to: end, at: to, ofDrive: other,
     words: `The slider goes through ${known.length} computed states, and straight from each to the next.` +
-        (other ? ` It stands at the state that was reached, \u03b8 ${degrees(toDegrees(to))}; on the way \u03b8 is that of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
+        (other ? ` It is in the state that was reached, \u03b8 ${degrees(toDegrees(to))}. Before, \u03b8 is that of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
 }
 
 /** Returns a map from the frame of the results to the frame of the motion. Both share body 0. */

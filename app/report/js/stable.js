@@ -78,7 +78,7 @@ function stableFigure(data, state, index) {
     `energy ${force(state.energy, "N\u00a0mm")}`,
     state.theta === null ? null : `\u03b8 ${degrees(toDegrees(state.theta))}`,
     state.drive === null ? null : describeDrive(equilibrium, state.drive),
-    state.gap === null ? null : `hinge gap ${millimetres(state.gap * data.structure.cell)}`,
+    state.gap === null ? null : `joint separation ${millimetres(state.gap * data.structure.cell)}`,
   ];
   return html(
       "div", {class: "part"}, html("h3", {}, index === 0 ? `${state.letter}: flat` : state.letter),

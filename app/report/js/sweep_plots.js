@@ -34,7 +34,7 @@ function importance(response) {
       what: "Sobol's total index, share of the variance",
       bars: bars(response.sobol, (s) => s.total.map(clampedShare)),
       second: bars(response.sobol, (s) => s.first.map(clampedShare)),
-      names: ["total", "by itself"]
+      names: ["total", "alone"]
     };
   if (response.morris)
     return {

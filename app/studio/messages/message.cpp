@@ -150,9 +150,10 @@ Json hinge_json(const HingeSection& hinge) {
   if (!hinge.made)
     return {
         {"kind", "stiff"},
-        {"text", fmt::format("They turn freely and hold without play. Where forces are asked for, they are "
-                             "taken as {} N/mm, and {} N mm/rad against turning.",
-                             plain_number(hinge.k_point), plain_number(hinge.k_turn))}};
+        {"text",
+         fmt::format("They are revolute joints without clearance. Forces assume a stiffness of {} N/mm and "
+                     "{} N mm/rad.",
+                     plain_number(hinge.k_point), plain_number(hinge.k_turn))}};
   return {{"kind", to_string(hinge.made->kind)},
           {"material", hinge.made->material.name},
           {"text", hinge_text(hinge)}};

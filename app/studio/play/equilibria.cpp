@@ -83,7 +83,8 @@ std::shared_ptr<KnownEquilibria> Equilibria::from_flat(double theta, const std::
       trace_equilibrium({moving_.linkage, drive, moving_.bodies ? model::ExactMotion{} : moving_.exact},
                         elasticity_, options(stop), see);
   if (path.stop != model::EquilibriumPath::Stop::reached)
-    why = fmt::format("the equilibrium ends at theta {:.1f} deg: {}", to_degrees(path.theta), path.why);
+    why = fmt::format("the equilibrium ends at a fold angle of {:.1f} deg: {}", to_degrees(path.theta),
+                      path.why);
   return known;
 }
 

@@ -41,7 +41,7 @@ void Player::load(const Design& design) {
 
 void Player::enter(Mode mode) {
   if (mode == Mode::exact && !moving_->exact)
-    throw InvalidInput("exact: this design does not move exactly: " + moving_->exact.why);
+    throw InvalidInput("exact: this design is not a one-degree-of-freedom mechanism: " + moving_->exact.why);
   wanted_ = mode;
   if (mode == mode_) return;
   const auto driven = mode_ == Mode::equilibrium ? std::optional(theta_) : std::nullopt;
@@ -112,7 +112,7 @@ void Player::drive_engine(double theta) {
 
 sim::LiveSheet& Player::engine() {
   if (live_) return *live_;
-  throw InvalidInput("this needs the physics: mode bullet");
+  throw InvalidInput("this needs the simulation: mode bullet");
 }
 
 void Player::fold_to(double theta) {
@@ -179,7 +179,7 @@ void Player::set_gravity(bool on) {
 }
 
 void Player::set_springs(bool on) {
-  if (moving_->bodies) throw InvalidInput("springs: hinges of bodies turn freely in the physics");
+  if (moving_->bodies) throw InvalidInput("springs: hinges of bodies turn freely in the simulation");
   springs_ = on;
   if (live_) enter_engine();
 }

@@ -16,7 +16,7 @@ constexpr int max_cells_per_side = 200;     // a page shows this many at 15 fram
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
-      {{"hinge", targets::value::map(hinge_keys()), {}, "what the hinges are made of"}});
+      {{"hinge", targets::value::map(hinge_keys()), {}, "kind and size of the hinges"}});
   return keys;
 }
 
@@ -39,7 +39,8 @@ void change(model::AssemblyHinge& hinge, const Message& message) {
       throw InvalidInput(
           std::string(key) +
           ": only applies to sheets. For bodies, give `turn`, `axial`, `shear`, `along` or `reach_mm`");
-  if (hinge.ball) throw InvalidInput("index: " + hinge.name + " is a ball, which has no stiffness");
+  if (hinge.ball)
+    throw InvalidInput("index: " + hinge.name + " is a spherical joint, which has no stiffness");
   const auto take = [&](const char* key, auto& value) {
     if (message.has(key)) value = message.number(key, 1 / farthest_stiffness, farthest_stiffness);
   };
@@ -54,7 +55,7 @@ model::SheetSymmetry symmetry_of(const Message& message, const Design& design) {
   const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
   if (name == "none") return {};
   const model::Structure* squares = design.structure.squares();
-  if (!squares) throw InvalidInput("symmetry: is known of sheets of squares only");
+  if (!squares) throw InvalidInput("symmetry: only applies to sheets of squares");
   if (name == "mirror_x") return {*squares, true, false};
   if (name == "mirror_y") return {*squares, false, true};
   if (name == "rotate_2") return {*squares, true, true};
@@ -246,10 +247,10 @@ Design with_manufactured_hinges(Design design, const Message& message) {
 
 Design with_driven_hinge(Design design, const Message& message) {
   const model::Assembly* bodies = design.structure.assembly();
-  if (!bodies) throw InvalidInput("driven: is of designs of bodies");
+  if (!bodies) throw InvalidInput("driven: only applies to designs of bodies");
   const int hinge = message.integer("hinge", 0, static_cast<int>(bodies->hinges.size()) - 1);
   if (bodies->hinges[hinge].ball)
-    throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
+    throw InvalidInput("hinge: is a spherical joint, which has no axis to be turned about");
   design.drive = model::HingeTurn{hinge, 0};
   return design;
 }

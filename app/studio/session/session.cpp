@@ -280,7 +280,7 @@ void Session::keep_unsaved() {
 
 void Session::apply_nearest_design() {
   const auto& moving = player_.moving();
-  if (moving.exact) throw InvalidInput("nearest: the design moves exactly as it is");
+  if (moving.exact) throw InvalidInput("nearest: the design already moves with one degree of freedom");
   if (!moving.nearest) throw InvalidInput("nearest: no exact design is known near this one");
   Design design = history_.current();
   design.structure = moving.nearest->sheet;

@@ -111,7 +111,7 @@ std::string cause(const Linkage& linkage, const State& exact) {
   const NullSpace folded = null_space(linkage, exact);
   if (folded.dofs() > 1 || folded.smallest_other < nearly_lost * flat.smallest_other)
     return "a second motion begins near there, and its hinges turn for less";
-  return "the hinges give way too much to hold it";
+  return "the hinges are too soft to hold it";
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ std::optional<double> BranchingDetector::see(const State& state, double theta, b
 std::string describe_branching(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
                                double theta, double turn) {
   const State exact = *closed_form.at(theta);
-  return "left the closed form: hinges turn by up to " + rounded(to_degrees(turn)) + " deg otherwise" +
+  return "left the analytic motion: hinges turn by up to " + rounded(to_degrees(turn)) + " deg otherwise" +
          describe_energies(system, state, exact) + "; " + cause(system.structure(), exact);
 }
 

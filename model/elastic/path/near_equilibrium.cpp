@@ -55,7 +55,7 @@ EquilibriumPath equilibrium_at_closed_form(const DrivenLinkage& driven, const El
   MeasuredSystem system(driven.linkage, elasticity, driven.drive, options);
   const auto exact = ClosedForm(system.elastic, driven.exact).at(driven.drive.theta());
   return exact ? settled(driven, elasticity, options, *exact)
-               : without_equilibrium("no closed form fits the structure");
+               : without_equilibrium("no analytic motion fits the structure");
 }
 
 EquilibriumPath follow_change(const State& state, const std::function<DrivenLinkage(double)>& change,

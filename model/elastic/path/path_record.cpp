@@ -17,9 +17,9 @@ constexpr double no_push = 1e-6;
 std::string words(Descent descent, bool on_closed_form) {
   switch (descent) {
     case Descent::closed_form:
-      return on_closed_form ? "exact mode" : "exact mode, to less energy off the closed form";
+      return on_closed_form ? "exact mode" : "exact mode, to less energy off the analytic motion";
     case Descent::off_closed_form:
-      return "lowest mode, since the closed form is unstable too";
+      return "lowest mode, since the analytic motion is unstable too";
     default:
       return "lowest mode";
   }
@@ -77,9 +77,8 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (before.contacts > 0 && after.contacts == 0)
     happened(Kind::release, system_.touching_kind() + " no longer touch");
   if (system_.drive().only_pulls() && slack_.see(after))
-    happened(
-        Kind::slack,
-        "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
+    happened(Kind::slack,
+             "the tendon goes slack, because it cannot push, and the structure continues without it");
   if (arrival.snapped) return;
   if (const auto times = lock_.see(before, after))
     happened(Kind::lock, system_.touching_kind() + " carry the drive: the load rises " +
@@ -136,27 +135,27 @@ using Stop = EquilibriumPath::Stop;
 std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
 
 std::string place(const EquilibriumStep& last, const LinkageDrive& drive, const OffClosedForm& off) {
-  const std::string at = " at theta " + degrees(last.theta) +
+  const std::string at = " at a fold angle of " + degrees(last.theta) +
                          (drive.determines_fold() ? "" : " of the drive") + ", load " +
                          number_text(last.load) + " " + drive.load_unit();
   if (!std::isfinite(off.since)) return at;
-  return at + "; off the closed form since theta " + degrees(off.since) +
+  return at + "; off the analytic motion since " + degrees(off.since) +
          (off.unstable ? ", where that is unstable" : "");
 }
 
 std::string overstretched(const HingeGaps& gaps, const Linkage& linkage, double gap_limit) {
-  return "the hinge on wall " + linkage.wall_name(gaps.worst_hinge) + " stretched by " +
+  return "the hinge on wall " + linkage.wall_name(gaps.worst_hinge) + " separated by " +
          number_text(gaps.max) + " cell edges; at most " + number_text(gap_limit) + " is allowed;";
 }
 
 std::string locked(const Refusal& refusal, const std::string& what) {
-  return what + " in contact lock the structure: " +
+  return what + " in contact jam the structure: " +
          (refusal.faults.tunnelled ? "further on they would have to pass through each other;"
                                    : "no equilibrium found further on;");
 }
 
 std::string not_converged(const Refusal& refusal) {
-  if (refusal.faults.mirrored) return "further on the sheet folds to the other side than asked;";
+  if (refusal.faults.mirrored) return "further on the sheet folds to the opposite side;";
   return "no equilibrium found further on (" + number_text(refusal.newton.iterations) +
          " iterations, force " + number_text(refusal.newton.force) + " left);";
 }
@@ -178,7 +177,7 @@ std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& syste
     case Stop::locked:
       return locked(refusal, system.elastic.touching_kind()) + at;
     case Stop::interrupted:
-      return "it was told to stop" + at;
+      return "it was stopped" + at;
     case Stop::not_converged:
       break;
   }

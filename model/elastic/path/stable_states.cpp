@@ -17,7 +17,7 @@ constexpr int most_left = 5;        // saddles in a row after a release: with mo
 constexpr double off_saddle = 1e-2;
 
 std::string released_at(const EquilibriumStep& step) {
-  return "released at theta " + number_text(std::round(10 * to_degrees(step.theta)) / 10) +
+  return "released at a fold angle of " + number_text(std::round(10 * to_degrees(step.theta)) / 10) +
          " deg of the drive";
 }
 

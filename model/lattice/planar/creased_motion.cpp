@@ -40,7 +40,8 @@ std::string describe_lean_difference(const PlanarStructure& s, const PlanarCreas
       const double off = (line_of(s, creases, h) - crease.line).norm();
       if (off <= same_lean) continue;
       return "the hinges on walls " + wall(s, crease.hinges.front()) + " and " + wall(s, h) +
-             " of one crease must lean alike, each to the side of its class, along its line: they differ "
+             " of one crease must lean by the same angle, each to the side of its class, along its line: "
+             "they differ "
              "by " +
              number_text(to_degrees(std::atan(off))) + " deg";
     }
@@ -235,7 +236,7 @@ struct Corner {
 };
 
 [[noreturn]] void refuse(const PlanarStructure& s, int hinge) {
-  throw InvalidInput("the facets beside wall " + to_string(s.graph.edges[hinge]) + " are no polygons");
+  throw InvalidInput("the facets next to wall " + to_string(s.graph.edges[hinge]) + " are no polygons");
 }
 
 /// Returns the intersection of the lines of two creases at theta, in the plane of the sheet without its folds.

@@ -118,7 +118,7 @@ ExactMotion exact_motion(const PlanarStructure& structure) {
     reject_curved_rows(drive, y);
     return theta_of(drive, structure, at);
   };
-  return {at, "planar", "planar: all axes vertical, every face closes: each body on a path of its own",
+  return {at, "planar", "planar: all axes vertical, every face closes: each body follows its own path",
           theta};
 }
 

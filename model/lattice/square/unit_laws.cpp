@@ -61,7 +61,7 @@ void require_tilt(double beta) {
 }
 
 void require_theta(double theta) {
-  require_law(theta >= -pi / 2 && theta <= pi / 2, "theta must lie in [-90, 90] deg");
+  require_law(theta >= -pi / 2 && theta <= pi / 2, "the fold angle must lie in [-90, 90] deg");
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ double crease_fold(double beta, double theta) {
 double crease_tilt(double fold, double theta) {
   require_law(fold > -pi && fold < pi, "a fold must lie between -180 and 180 deg, both excluded");
   require_theta(theta);
-  require_law(theta != 0, "a flat sheet has no fold: theta must not be 0");
+  require_law(theta != 0, "a flat sheet has no fold: the fold angle must not be 0");
   return tilt_of_turn(fold, theta);
 }
 

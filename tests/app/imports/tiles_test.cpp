@@ -146,7 +146,7 @@ TEST(TileImport, SaysThatSheetsThatDoNotMoveAreNoMechanism) {
       const TileJson result = run_of(folder, command, 3);
       EXPECT_EQ(result["verdict"]["met"], false);
       EXPECT_EQ(result["verdict"]["reaches"], false);
-      EXPECT_THAT(first_error(result), HasSubstr("two states of their own, not a mechanism between them"));
+      EXPECT_THAT(first_error(result), HasSubstr("two separate states, not a mechanism between them"));
     }
   }
 }
@@ -161,7 +161,7 @@ TEST(TileImport, ATargetThatIsMissedByMoreThanTheToleranceIsThree) {
     EXPECT_EQ(result["verdict"]["met"], false) << who;
     EXPECT_EQ(result["tolerance"]["pull"], 0.05) << who;
     EXPECT_GT(result["metrics"]["pull_rms"], 0.05) << who;
-    EXPECT_THAT(first_error(result), HasSubstr("cell edges (rms) from where they are pulled to")) << who;
+    EXPECT_THAT(first_error(result), HasSubstr("cell edges (rms) from the requested poses")) << who;
     const std::string design = text_of(folder.design());
     folder.scratch.write("out/design.yaml", design + "tolerance: {pull: 3}\n");
     EXPECT_EQ(run_of(folder, "simulate", 0)["verdict"]["met"], true) << who;

@@ -102,7 +102,8 @@ TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
   const Json& high = reported.result["certified"]["design"]["high"];
   EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
   EXPECT_EQ(reported.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
-  EXPECT_THAT(reported.result["plan"]["why"].dump(), HasSubstr("walls touch at theta 25.13 deg already"));
+  EXPECT_THAT(reported.result["plan"]["why"].dump(),
+              HasSubstr("walls already touch at a fold angle of 25.13 deg"));
   EXPECT_THAT(reported.words, HasSubstr("overlap at 25.1 deg, before the fold angle 28 deg"));
   EXPECT_EQ(reported.result["certified"]["covers_theta"], false);
   EXPECT_THAT(reported.words, HasSubstr("is outside the collision-free range"));
@@ -130,7 +131,7 @@ TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
   ASSERT_EQ(events.size(), 1u) << events;
   EXPECT_EQ(events[0]["kind"], "departure");
   EXPECT_THAT(reported.result["equilibrium"]["why"].get<std::string>(),
-              HasSubstr("off the closed form since theta"));
+              HasSubstr("off the analytic motion since"));
   EXPECT_THAT(reported.words,
               HasSubstr("event      departure at hinge angle -27.5 deg, fold angle 13.75 deg"));
   EXPECT_THAT(reported.words,

@@ -65,7 +65,7 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_EQ(run.result["states"][0]["model"], "equilibrium");
   const std::string plan = run.result["plan"]["why"].dump();
   EXPECT_THAT(plan, HasSubstr("states are equilibria"));
-  EXPECT_THAT(plan, ::testing::Not(HasSubstr("states come from the closed form")));
+  EXPECT_THAT(plan, ::testing::Not(HasSubstr("states follow from the analytic motion")));
   EXPECT_THAT(plan, HasSubstr("fold angle limited to"));
   EXPECT_NEAR(run.result["as_made"]["designed_mm"], compensation["after_mm"], 1e-6);
   EXPECT_THAT(run.out, HasSubstr("with elastic hinges, "));
@@ -221,7 +221,7 @@ TEST(Matter, AFoldKeepsItsLimits) {
   EXPECT_LE(run.result["metrics"]["strain_max"], 0.3);
   EXPECT_LE(run.result["fold"]["loads"]["strain"], 0.3);
   EXPECT_GT(run.result["fold"]["unlimited"]["strain"], 0.3);
-  EXPECT_THAT(run.out, HasSubstr("without limits at theta"));
+  EXPECT_THAT(run.out, HasSubstr("without limits at a fold angle of"));
 }
 
 TEST(Matter, AFoldThatIsStoppedWhileItLooksForItsLimitsTellsNothingThatItDidNotSee) {
@@ -583,7 +583,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
       {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n",
        "tolerance.force_N: applies to plates only"},
       {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
-       "tolerance.strain: only applies to blocks and films"},
+       "tolerance.strain: only applies to blocks and living hinges"},
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},
       {arc + rubber + "drive: {kind: shape_memory}\n", "`k_turn` is missing"},
       {arc + "drive: {kind: shape_memory, k_turn: 5}\n", "drive: shape_memory needs elastic hinges"},

@@ -222,7 +222,7 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
   const Scratch scratch;
   const Outcome run = equilibrium(scratch, corded);
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("N at cord shortened by 4 mm, the end of the drive"));
+  EXPECT_THAT(run.out, HasSubstr("N at tendon shortened by 4 mm, the end of the drive"));
   const Json result = Json::parse(text_of(scratch / "result.json"));
   EXPECT_EQ(schema_errors(result), "");
   const Json& metrics = result["metrics"];
@@ -254,7 +254,7 @@ TEST(Equilibrium, OfACordThatTwistsACellTellsItsBarrierAtTheThetaOfTheSheet) {
       "design: {pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}\n"
       "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[1, 0], [1, 1]]], shorten_mm: 14}\n"
       "hinge: {model: elastic, k_turn: 0.001}\n");
-  EXPECT_THAT(run.out, HasSubstr("event      slack at cord shortened by"));
+  EXPECT_THAT(run.out, HasSubstr("event      slack at tendon shortened by"));
   EXPECT_THAT(run.out, HasSubstr("deg of the drive, load"));
   const Json found = Json::parse(text_of(scratch / "result.json"))["equilibrium"];
   ASSERT_EQ(found["stable_states"].size(), 2u);
@@ -303,7 +303,7 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
   const std::string command = "simulate " + design + " --model equilibrium --drives --quiet ";
   const Outcome table = kinetix_opt(command);
   EXPECT_EQ(table.code, 0) << table.err;
-  EXPECT_THAT(table.out, HasSubstr("cord along the middle row"));
+  EXPECT_THAT(table.out, HasSubstr("tendon along the middle row"));
   EXPECT_THAT(table.out, HasSubstr("least force"));
   const Outcome run = kinetix_opt(command + "--json -o " + scratch.path());
   const Json found = Json::parse(run.out);
@@ -353,7 +353,7 @@ TEST(Equilibrium, StoppedAmongDrivesComparesThoseTriedAndNamesTheOthers) {
     EXPECT_TRUE(trials.stopped);
     EXPECT_EQ(trials.trials.size(), tried);
     EXPECT_EQ(trials.not_tried.size(), 6 - tried);
-    EXPECT_EQ(trials.not_tried.back(), "cord along the middle column");
+    EXPECT_EQ(trials.not_tried.back(), "tendon along the middle column");
     const std::string text = summary(trials);
     EXPECT_THAT(text, HasSubstr("stopped; not tried: "));
     EXPECT_THAT(text, Not(HasSubstr("no drive reaches")));
@@ -371,7 +371,7 @@ TEST(Equilibrium, OfRotaryHingesSaysThatItTakesThemAsElastic) {
   const Json result = Json::parse(equilibrium(scratch, start, "--json").out);
   EXPECT_THAT(
       result["plan"]["why"].dump(),
-      HasSubstr("rotary; for this model they are taken as elastic: k_point 1000 N/mm, k_turn 0.1 N mm/rad, "
+      HasSubstr("revolute joints; this model assumes elastic hinges: k_point 1000 N/mm, k_turn 0.1 N mm/rad, "
                 "reach_mm 3.6, k_contact 10000 N/mm"));
   const Outcome slack = equilibrium(scratch, start + "hinge: {model: rotary, k_turn: 0}\n");
   EXPECT_EQ(slack.code, 2);
@@ -407,8 +407,8 @@ TEST(Equilibrium, ThatOverstretchesAHingeStopsAndSaysSoInPlainWords) {
       "drive: {kind: plates, axis: y, compression: 0.4}\nhinge: {model: elastic, k_turn: 100, k_point: 1}\n");
   const Outcome run = kinetix_opt("simulate " + design + " --model equilibrium -o " + scratch.path());
   EXPECT_EQ(run.code, 3) << run.out;
-  EXPECT_THAT(run.out, HasSubstr("stopped    hinge overstretched: the hinge on wall [["));
-  EXPECT_THAT(run.out, HasSubstr("cell edges; at most 0.3 is allowed; at theta"));
+  EXPECT_THAT(run.out, HasSubstr("stopped    joint separated: the hinge on wall [["));
+  EXPECT_THAT(run.out, HasSubstr("cell edges; at most 0.3 is allowed; at a fold angle of"));
   EXPECT_EQ(run.err, "equilibrium path ...\ncontact ...\nfiles ...\n");
   const Json result = Json::parse(text_of(scratch / "result.json"));
   EXPECT_EQ(result["equilibrium"]["stop"], "torn") << "a word of the file's format";
@@ -521,7 +521,7 @@ TEST(Equilibrium, SaysWhereASheetFoldsToTheOtherSide) {
   EXPECT_NEAR(std::abs(theta), 17.5 * degree, 1 * degree);
   EXPECT_EQ(result["equilibrium"]["other_side"], theta < 0);
   EXPECT_EQ(run.code, theta < 0 ? 3 : 0) << run.err;
-  EXPECT_EQ(run.out.find("where 17.50 was asked for") != std::string::npos, theta < 0) << run.out;
+  EXPECT_EQ(run.out.find("instead of the requested 17.50 deg") != std::string::npos, theta < 0) << run.out;
 }
 
 /// Compressions beyond the cells' limit and very different stiffnesses give an answer or a stop with its reason.

@@ -150,8 +150,9 @@ void expect_missed_panels(const std::vector<std::string>& panels) {
     EXPECT_EQ(found.result["metrics"]["met"], false) << more;
     if (found.verdict()["reaches"] == true) continue;
     ++stopped;
-    EXPECT_THAT(errors_of(found.verdict()), HasSubstr("the drive stops on its way")) << more;
-    EXPECT_THAT(found.result["display"]["reasons"].dump(), HasSubstr("the drive stops on its way")) << more;
+    EXPECT_THAT(errors_of(found.verdict()), HasSubstr("the drive stops before the fold")) << more;
+    EXPECT_THAT(found.result["display"]["reasons"].dump(), HasSubstr("the drive stops before the fold"))
+        << more;
   }
   EXPECT_GE(stopped, 1);
 }

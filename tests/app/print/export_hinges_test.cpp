@@ -48,7 +48,7 @@ TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
     const std::string config = app::text_in_zip(scratch / "out/panel.3mf", "Metadata/Slic3r_PE_model.config");
     EXPECT_EQ(config.find("key=\"extruder\" value=\"2\"") == std::string::npos, volumes == 1) << process;
     const std::string text = text_of(scratch / "out/print.txt");
-    EXPECT_THAT(text, HasSubstr(std::string("films of ") + material + ":"));
+    EXPECT_THAT(text, HasSubstr(std::string("living hinges of ") + material + ":"));
     EXPECT_EQ(text.find("glue them") != std::string::npos, std::string(process) == "sla") << text;
   }
 }
@@ -130,7 +130,7 @@ design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
 
 /// The result.json of such a design describes its equilibrium.
 TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
-  const std::string words = "folded along its exact motion: the equilibrium of its elastic hinges";
+  const std::string words = "folded along its analytic motion: the equilibrium of its elastic hinges";
   const auto warnings = [&](const char* hinge, const char* state) {
     const Scratch scratch;
     const std::string design = std::string(panel) + fmt::format("hinge: {{model: elastic, {}}}\n", hinge);
@@ -243,7 +243,7 @@ hinge: {kind: block, material: tango, gap_mm: 6, thickness_mm: 1}
 TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("theta_deg: 20"), 13, "theta_deg: 38");
-  expect_refused(design, "--format stl --hinge pin", "run into each other at theta", not_printable);
+  expect_refused(design, "--format stl --hinge pin", "run into each other at a fold angle of", not_printable);
 }
 
 /// The gap of opposite knuckles is L (cos theta - sin theta) minus their width. Here it equals the clearance, within
@@ -255,7 +255,8 @@ TEST(Export, SaysFromWhichThetaOnSolidsAreTooNear) {
   const Outcome run = exported(scratch, design, "--format stl --hinge pin");
   std::smatch from;
   ASSERT_TRUE(std::regex_search(
-      run.err, from, std::regex(R"(come nearer to each other than 0.05 mm from theta ([0-9.]+) deg on)")))
+      run.err, from,
+      std::regex(R"(come nearer to each other than 0.05 mm from a fold angle of ([0-9.]+) deg on)")))
       << run.err;
   const double knuckle = 1 + 2 * (0.05 + 0.6), asked = 0.05 - 0.01, share = (knuckle + asked) / 12;
   const double closed_form = 180 / M_PI * std::acos(share / std::sqrt(2)) - 45;
@@ -269,8 +270,8 @@ TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
       design.find("{theta_deg: 20}"), 15,
       "{theta_deg: 38, hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: block, material: tango, gap_mm: "
       "3, thickness_mm: 0.8, height_mm: 6}}]}");
-  expect_refused(design, "--format stl --hinge pin", "come nearer to each other than 0.05 mm from theta",
-                 not_printable);
+  expect_refused(design, "--format stl --hinge pin",
+                 "come nearer to each other than 0.05 mm from a fold angle of", not_printable);
   design.replace(design.find("38"), 2, "20");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
@@ -292,8 +293,8 @@ TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string words = text_of(scratch / "out/print.txt");
   EXPECT_THAT(words, HasSubstr("blocks of tango: gap 1.5 mm"));
-  EXPECT_THAT(words, HasSubstr("1 films of pp: gap 2 mm, thickness 0.4 mm"));
-  EXPECT_THAT(words, HasSubstr("films of pp and blocks of tango are one soft part in the files"));
+  EXPECT_THAT(words, HasSubstr("1 living hinges of pp: gap 2 mm, thickness 0.4 mm"));
+  EXPECT_THAT(words, HasSubstr("living hinges of pp and blocks of tango are one soft part in the files"));
   EXPECT_THAT(words, HasSubstr("polyjet prints soft parts of tango"));
 }
 
@@ -341,7 +342,7 @@ TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process sls").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("sls prints walls and films in one, of pa12"));
+              HasSubstr("sls prints walls and living hinges in one, of pa12"));
 }
 
 TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
@@ -354,7 +355,7 @@ TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
         exported(scratch, std::string(panel) + hinge, std::string("--format stl --process ") + process).code,
         0);
     const std::string warnings = print_json_of(scratch)["warnings"].dump(),
-                      words = "films of 0.3 mm are thinner than the line of 0.4 mm";
+                      words = "living hinges of 0.3 mm are thinner than the line of 0.4 mm";
     EXPECT_EQ(warnings.find(words) != std::string::npos, reported) << process << mm << warnings;
   }
 }

@@ -119,7 +119,7 @@ std::string refusal(app::Design design, const std::string& process, model::Hinge
 TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
   const auto expect_named = [](const app::Design& design, const char* process, model::HingeKind kind) {
     const std::string why = refusal(design, process, kind);
-    EXPECT_THAT(why, HasSubstr("from theta")) << design.theta;
+    EXPECT_THAT(why, HasSubstr("from a fold angle of")) << design.theta;
     EXPECT_TRUE(why.find("run into each other") != std::string::npos ||
                 why.find("come nearer") != std::string::npos)
         << why;
@@ -135,9 +135,9 @@ TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
   const app::Design design = helix(24, 0.35, 35, 25.325, 3);
   const std::string why = refusal(design, "polyjet", model::HingeKind::block);
   double theta_deg = 0;
-  const auto at = why.find("from theta ");
+  const auto at = why.find("from a fold angle of ");
   ASSERT_NE(at, std::string::npos) << why;
-  theta_deg = std::stod(why.substr(at + 11));
+  theta_deg = std::stod(why.substr(at + 21));
   app::Design before = design;
   before.theta = (theta_deg - 0.2) * radians_per_degree;
   const Judged free = judged(before, request_of("polyjet", "block"));

@@ -106,7 +106,7 @@ TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {
       },
       why);
   EXPECT_LT(known->states.back().step.theta, 15 * deg);
-  EXPECT_NE(why.find("told to stop"), std::string::npos) << why;
+  EXPECT_NE(why.find("it was stopped"), std::string::npos) << why;
 }
 
 }  // namespace

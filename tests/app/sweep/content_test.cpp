@@ -262,7 +262,7 @@ TEST(SweepContent, ASheetThatFoldsToTheOtherSideIsMissed) {
   const Csv csv = read_csv(scratch / "out");
   const bool other = csv.number(0, "theta_deg") < 0;
   EXPECT_EQ(csv.rows[0].at("status"), other ? "missed" : "ok");
-  EXPECT_EQ(csv.rows[0].at("reason").find("where 17.50 was asked for") != std::string::npos, other);
+  EXPECT_EQ(csv.rows[0].at("reason").find("instead of the requested 17.50 deg") != std::string::npos, other);
 }
 
 // A strip in equilibrium that a hinge drives is inclined: its midline is not in the plane of x and z.

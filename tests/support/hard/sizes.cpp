@@ -20,7 +20,7 @@ HardCase large(std::string name, std::function<model::Structure()> make, double 
 model::Structure bending_by(double tilt) { return alternating(1000, 1, {.beta = tilt}, basic_unit); }
 
 bool reports_instability(const std::string& text) {
-  return text.find("closed form is unstable") != std::string::npos;
+  return text.find("analytic motion is unstable") != std::string::npos;
 }
 
 /// Checks a strip beyond its tipping length. Its closed form is not a minimum: an elastic one takes less energy.

@@ -58,7 +58,7 @@ function curveVerdict(data) {
       mark: "?",
       tone: "unsure",
       title: "No verdict recorded",
-      text: "This result does not say whether the target was met."
+      text: "This result does not state whether the target was met."
     };
   const title = verified ? "Target met, and the simulation agrees" : "Target met in the model";
   return {
@@ -141,7 +141,7 @@ function errorFigure(data) {
   return html(
       "div", {class: "part"}, html("h3", {}, "Distance from the target"), responsive((width) => drawError(data, width)),
       legend(["goal-line", "target (distance 0)"], ["model", "folded strip (model)"]),
-      html("p", {class: "note"}, "The sign tells on which side of the target curve the strip runs."));
+      html("p", {class: "note"}, "The sign shows on which side of the target curve the strip runs."));
 }
 
 function isOver(turn) {
@@ -238,7 +238,7 @@ function drawRobust(data, width) {
   const dot = (one) => svg("circle", {
     cx: axes.X(off(one)), cy: axes.Y(one.as_made_rms_mm), r: one.chosen ? 6 : 3.5,
     class: one.chosen ? "tried chosen" : one.plain ? "tried plain" : "tried"
-  }, svg("title", {}, `${one.columns} columns, theta ${degrees(toDegrees(one.theta_rad))}`));
+  }, svg("title", {}, `${one.columns} columns, fold angle ${degrees(toDegrees(one.theta_rad))}`));
   axes.root.append(svg("path", {class: "model", d: path(frontOf(near).map((one) => [axes.X(off(one)), axes.Y(one.as_made_rms_mm)]))}),
                    ...near.map(dot));
   return axes.root;

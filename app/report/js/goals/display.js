@@ -26,7 +26,7 @@ function isGrey(display) {
 
 function describeReading(display, reading) {
   if (isGrey(display)) return `rank correlation ${figures(reading.rank)} with the picture`;
-  return `letter and background cells distinguished in ${percent(reading.auc)} of pairs, contrast ${
+  return `letter and background cells distinguished in ${percent(reading.auc)} of pairs, separation d\u2032 ${
       figures(reading.contrast, 3)}`;
 }
 
@@ -200,7 +200,7 @@ function displaySection(data) {
       html("p", {}, (display.angle === null ?
                          `Compressed along ${display.axis} by ${percent(display.compression)}.` :
                          `Moved by one hinge, turned by ${figures(Math.abs(display.angle) * 180 / Math.PI, 3)} degrees; no plates hold its rows.`) +
-                        (finite(display.stretch) === null ? "" : ` Largest stretch of a hinge: ${millimetres(display.stretch * structure.cell)}.`)),
+                        (finite(display.stretch) === null ? "" : ` Largest joint separation: ${millimetres(display.stretch * structure.cell)}.`)),
       limitsTable(display), printsTable(display), neededPanel(display), startsTable(display));
 }
 
@@ -222,8 +222,8 @@ function printsTable(display) {
   const {expected, prints} = display.printed;
   const row = (name, made) => ({cells: [name, figures(made?.contrast, 2), figures(made?.contrast_p05 ?? made?.contrast_p95, 2), figures(made?.auc, 3)]});
   return html("div", {class: "scroll"},
-              table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
-                    [row("expected", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
+              table(["prints", "separation d\u2032, mean", "separation d\u2032 that 95 % of prints exceed", "AUC"],
+                    [row("expected", expected), row(`${display.printed.count} simulated in the elastic model`, prints)],
                     display.printed.confirmed === false ? "What prints show, estimated: first order is far from them" : "What prints show, estimated"));
 }
 
@@ -254,7 +254,7 @@ const GREY_NUMBERS = [
   ["rank", "Rank correlation", "of the cells with the levels of the picture; 1 is the same order", "auc", AT_LEAST],
 ];
 const LETTER_NUMBERS = [
-  ["contrast", "Contrast d\u2032", "letter cells against the rest, in standard deviations", "contrast", AT_LEAST],
+  ["contrast", "Separation d\u2032", "letter cells against the rest, in standard deviations", "contrast", AT_LEAST],
   ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing", "auc", AT_LEAST],
 ];
 

@@ -102,7 +102,7 @@ function drawNet({faces, creases}, width) {
 
 function creaseTable({creases}) {
   const angle = (value) => (value === null ? DASH : measured(value, "\u00b0", 6));
-  return table(["Crease", "Columns", "Required", "Model", "Physics run", "Tilt of its walls"], creases.map((crease) => ({
+  return table(["Crease", "Columns", "Required", "Model", "Simulation", "Tilt of its walls"], creases.map((crease) => ({
     cells: [crease.name, String(crease.columns), angle(crease.asked), angle(crease.model), angle(crease.physics), degrees(crease.tilt)]
   })), "Creases");
 }

@@ -120,7 +120,7 @@ function tiltTableOfHelmet({goal: {ribs}, raw, structure}) {
   return html(
       "details", {}, html("summary", {}, "Tilts of all cells, in degrees"),
       html("div", {class: "scroll blocks"},
-           table(["cell beside the spine", ...ribs.map((_, k) => `rib ${k + 1}`)], rows, "Tilts of the ribs"),
+           table(["cell next to the spine", ...ribs.map((_, k) => `rib ${k + 1}`)], rows, "Tilts of the ribs"),
            table(["row of the spine", "tilt"], along.map(([i, j]) => ({cells: [String(j), text(at.get(`${i},${j}`))]})), "Tilts of the spine")));
 }
 
@@ -144,7 +144,7 @@ const helmetGoal = {
   verdict: helmetVerdict,
   numbers: (data) => measures(data, [
     ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
-    ["distance_max_mm", "Distance, largest", "mm, likewise", "max_mm"],
+    ["distance_max_mm", "Distance, largest", "mm, of the bodies from head plus clearance", "max_mm"],
   ]),
   firstSections: [["helmet", "How it fits the head", helmetSection]],
   hasNoLayout: true,

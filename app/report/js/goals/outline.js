@@ -19,7 +19,7 @@ function readOutline(raw) {
 function describeOutline({diagonal}, error) {
   if (!error || error.rms === null) return "";
   const length = diagonal === null ? percent(error.rms) : `${millimetres(error.rms * diagonal)} (${percent(error.rms)} of the diagonal)`;
-  return `the rim lies ${length} off the outline, and they share ${percent(error.iou)} of their area`;
+  return `the boundary is ${length} off the outline, and they share ${percent(error.iou)} of their area`;
 }
 
 function outlineVerdict(data) {
@@ -41,7 +41,7 @@ function outlineNumbers(data) {
   if (!exact) return [];
   const shown = outline.diagonal === null ? percent(exact.rms) : millimetres(exact.rms * outline.diagonal);
   return [
-    keyNumber("Rim from outline, rms", shown, `${percent(exact.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
+    keyNumber("Boundary from outline, rms", shown, `${percent(exact.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
     keyNumber("Area shared", percent(exact.iou), `over the area of both; at least ${percent(tolerance.iou)}`),
     outline.size !== null && Math.abs(outline.size - 1) > 5e-3 &&
         keyNumber("Size", `${figures(outline.size, 3)} \u00d7`, "the panel against the outline as drawn"),
@@ -55,7 +55,7 @@ function outlineSection(data) {
   row("model, flat", outline.flat);
   row("simulation, pressed", outline.physics);
   return [
-    table(["state", "rms", "largest", "area shared"], rows, "Rim against outline, in parts of the outline\u2019s diagonal"),
+    table(["state", "rms", "largest", "area shared"], rows, "Boundary against outline, in parts of the outline\u2019s diagonal"),
     html("p", {class: "note"},
          `Hinges sit up to ${millimetres(outline.offset ?? 0)} to one side of the middle of their walls, across the wall. ` +
              `${percent(outline.bounds.offset ?? 0)} of the walls have the largest offset that is allowed, ` +
@@ -68,9 +68,9 @@ const outlineGoal = {
   name: "outline",
   read: (raw) => readOutline(raw.outline),
   view: "top",
-  backdropKey: ["head", "outline asked for"],
+  backdropKey: ["head", "target outline"],
   verdict: outlineVerdict,
   numbers: outlineNumbers,
-  firstSections: [["outline", "Rim and outline", outlineSection]],
+  firstSections: [["outline", "Boundary and outline", outlineSection]],
   lastSections: [],
 };

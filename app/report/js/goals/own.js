@@ -29,7 +29,7 @@ const customGoal = {
   read: (raw) => readCustom(raw.own),
   view: "side",
   verdict: customVerdict,
-  numbers: (data) => measures(data, [["error", "Error", "in the unit of the function that judges", "error"]]),
+  numbers: (data) => measures(data, [["error", "Error", "in the unit of the error function", "error"]]),
   fitText: (error) => figures(error),
   firstSections: [],
   lastSections: [["tilts", "Tilts per column", tiltSection]],

@@ -16,12 +16,12 @@ function spaceBlockVerdict(data) {
   const {goal: block, verdict: {met, verified}} = data;
   const model = `In the model its sides shrink to ${formatFactors(block.factors)} of their lengths, along x, y and z.`;
   const run = block.physics ? ` In the simulation, between plates, to ${formatFactors(block.physics)}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The block misses what was asked", text: model + run};
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The block misses the requested factors", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It shrinks as asked in the model, but the simulation " + failing(data), text: model + run};
+    return {mark: "!", tone: "bad", title: "It shrinks as requested in the model, but the simulation " + failing(data), text: model + run};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The block shrinks as asked, and the simulation agrees" : "The block shrinks as asked in the model",
+    title: verified ? "The block shrinks as requested, and the simulation agrees" : "The block shrinks as requested in the model",
     text: model + (run || " It was not checked by a simulation."),
   };
 }

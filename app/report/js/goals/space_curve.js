@@ -26,7 +26,7 @@ function spaceVerdict(data) {
   const model = `In the model the middle of the strip lies ${describeOffset(data, metrics.shape_rms)} off the curve, rms.`;
   const run = wanted.physics ? ` In the simulation ${describeOffset(data, wanted.physics.rms)}.` : "";
   if (met === false)
-    return {mark: "\u2715", tone: "bad", title: wanted.meets ? "Walls meet on the way to the curve" : "The strip misses its curve", text: model + run};
+    return {mark: "\u2715", tone: "bad", title: wanted.meets ? "Walls collide before the strip reaches the curve" : "The strip misses its curve", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It takes its curve in the model, but the simulation " + failing(data), text: model + run};
   return {
@@ -82,7 +82,7 @@ const space_curveGoal = {
   name: "space_curve",
   read: (raw) => readSpaceCurve(raw.space_curve),
   view: "slant",
-  backdropKey: ["head", "curve asked for"],
+  backdropKey: ["head", "target curve"],
   verdict: spaceVerdict,
   numbers: spaceNumbers,
   firstSections: [["space-errors", "Strip and curve", stripAndCurveSection]],

@@ -43,7 +43,7 @@ function surfaceNumbers(data) {
     surface.covered !== null && keyNumber("Surface near a rib", percent(surface.covered), `of its area, within a cell edge; at least ${percent(tolerance.covered_share)}`),
     surface.covered === null && surface.cover !== null && keyNumber("Area shared", percent(surface.cover), `over the area of both; at least ${percent(tolerance.cover)}`),
     finite(metrics.curvature_share) !== null && keyNumber("Curvature", percent(metrics.curvature_share), `of the surface\u2019s own, both ways; at least ${percent(tolerance.curvature_share)} where it curves by more than 0.1 sr`),
-    surface.height !== null && keyNumber("Plates may be", `${figures(surface.height, 2)} walls high`, "before walls meet on the way"),
+    surface.height !== null && keyNumber("Plates may be", `${figures(surface.height, 2)} walls high`, "before walls collide during folding"),
   ];
 }
 
@@ -95,7 +95,7 @@ const surfaceGoal = {
   name: "surface",
   read: (raw) => readSurface(raw.surface),
   view: "slant",
-  backdropKey: ["head", "surface asked for"],
+  backdropKey: ["head", "target surface"],
   verdict: surfaceVerdict,
   numbers: surfaceNumbers,
   firstSections: [["surface", "On its surface", surfaceSection]],

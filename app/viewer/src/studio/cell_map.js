@@ -67,7 +67,7 @@ export class CellMap {
     if (!together) this.choose(held.hinge, false);
     const hinges = together ? {indices: [held.hinge, ...chosen.filter((k) => k !== held.hinge)], alternate: $("alternate").checked} : {index: held.hinge};
     this.send("hinge", {...hinges, t: held.to.t, offset_mm: held.to.offset_mm},
-      `hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm beside its wall`);
+      `hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm off its wall`);
   }
 
   /** Projects a place to a hinge's wall: t along it, offset in mm across it, and the place in the picture. */

@@ -26,7 +26,7 @@ export class DesignPanel {
     $("hinge").addEventListener("change", ({target}) => target.name && this.setHinges(target.name, Number(target.value)));
     for (const id of ["sheet", "hinge", "made"]) $(id).addEventListener("submit", (event) => event.preventDefault());
     $("made").addEventListener("change", () => this.setHingeKind());
-    $("nearest").addEventListener("click", () => this.send("nearest", {}, "now it moves exactly"));
+    $("nearest").addEventListener("click", () => this.send("nearest", {}, "now it has one degree of freedom"));
     $("pick_none").addEventListener("click", () => this.state.choose([]));
     $("pick_column").addEventListener("click", () => this.widen("column"));
     $("pick_row").addEventListener("click", () => this.widen("row"));
@@ -95,7 +95,7 @@ export class DesignPanel {
   showVerdict() {
     const {exact, family, why, breaking = [], bodies} = this.state.design;
     $("verdict").className = `verdict ${exact ? "good" : bodies?.following ? "" : "bad"}`;
-    $("verdict_text").textContent = bodies ? describeTurn(this.state.design) : exact ? `Moves exactly: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
+    $("verdict_text").textContent = bodies ? describeTurn(this.state.design) : exact ? `One degree of freedom: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
     const reasons = Array.isArray(why) ? why : why ? [why] : [];
     $("why").replaceChildren(...reasons.map((reason) => element("li", {}, reason)),
       ...(breaking.length ? [element("li", {}, `${breaking.length} ${breaking.length === 1 ? "hinge breaks" : "hinges break"} it, marked red`)] : []));

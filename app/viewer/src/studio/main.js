@@ -91,10 +91,10 @@ connection.on("open", () => $("messages").replaceChildren());
 
 /** Describes the fold of the saved design, and whether it is the shown fold. */
 function describeSaved({theta_rad, at_fold}) {
-  if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "the design says"}`;
+  if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "in the design"}`;
   if (at_fold) return `folded as it is shown, ${describeFold(theta_rad)}`;
   const shown = state.frame?.theta, is_other = Number.isFinite(shown) && Math.abs(shown - theta_rad) > radians(0.05);
-  return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${describeFold(theta_rad)}${is_other ? `, not as the slider has it, ${describeFold(shown)}` : ""}`;
+  return `${state.design.has_result ? "folded as it was found" : "folded as in the design"}, ${describeFold(theta_rad)}${is_other ? `, not as the slider has it, ${describeFold(shown)}` : ""}`;
 }
 
 /** Sets the view for a result: pictures and outlines from above, everything else slanted. */

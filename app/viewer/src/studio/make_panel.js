@@ -37,7 +37,7 @@ export class MakePanel {
     const {formats = [], processes = []} = this.state.hello;
     $("formats").replaceChildren(...formats.map(({name, about}) => element("label", {class: MESHES.includes(name) ? null : "of_sheets"},
       element("input", {type: "checkbox", name: "format", value: name, checked: USUAL.includes(name)}), element("span", {}, name.toUpperCase()), element("small", {}, about))));
-    $("export").elements.process.replaceChildren(element("option", {value: ""}, "as the design says"), ...processes.map((name) => element("option", {value: name}, name)));
+    $("export").elements.process.replaceChildren(element("option", {value: ""}, "as in the design"), ...processes.map((name) => element("option", {value: name}, name)));
   }
 
   /** Describes the fold of a sheet, or the turn of the hinge of bodies. */
@@ -50,7 +50,7 @@ export class MakePanel {
     const {design, frame} = this.state, {folded} = $("export").elements;
     if (!design) return;
     const [asDesign, asShown] = [this.angle(design.theta_rad), frame ? this.angle(frame.theta) : "\u2013"];
-    const words = [`${design.has_result ? "as it was found" : "as the design says"} (${asDesign})`, `as the slider has it (${asShown})`];
+    const words = [`${design.has_result ? "as it was found" : "as in the design"} (${asDesign})`, `as the slider has it (${asShown})`];
     words.forEach((text, k) => folded.options[k].textContent !== text && (folded.options[k].textContent = text));
   }
 
@@ -74,7 +74,7 @@ export class MakePanel {
     const {folder, files, summary, card, theta_rad, at_fold} = this.state.exported;
     show($("written"), true);
     this.showWhose();
-    $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as its design says"}: ${this.angle(theta_rad)}.`;
+    $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as in its design"}: ${this.angle(theta_rad)}.`;
     $("written_folder").textContent = folder;
     $("written_files").replaceChildren(...files.map((name) => element("li", {}, name)));
     $("written_text").replaceChildren(...summaryRows(summary ?? ""));

@@ -97,7 +97,7 @@ export class MotionBar {
     $("fold_low").textContent = Number($("theta").min) < 0 ? "the other way" : "flat";
     const exact = document.querySelector('input[name="mode"][value="exact"]');
     exact.disabled = !design.exact;
-    exact.parentElement.title = design.exact ? "The closed form: no strain, no force" : "This design does not move exactly";
+    exact.parentElement.title = design.exact ? "The analytic motion: no strain, no force" : "This design has no analytic motion";
     $("driven_by").textContent = design.drive ? `moved by ${design.drive}` : "";
   }
 

@@ -30,7 +30,7 @@ export class PathChart {
     const last = rows[rows.length - 1], text = (x, y, name, words) => svg("text", {x, y, class: name}, words);
     this.now = svg("line", {class: "now", y1: TOP - 4, y2: HEIGHT - BOTTOM});
     $("path").replaceChildren(svg("svg", {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, width: WIDTH, height: HEIGHT, role: "img", "aria-label":
-        `Force and energy on the way from flat, up to ${neat(Math.max(...rows.map((row) => row.force_N)))} N and ${neat(last.energy_Nmm)} N mm`},
+        `Force and energy from flat, up to ${neat(Math.max(...rows.map((row) => row.force_N)))} N and ${neat(last.energy_Nmm)} N mm`},
       line("energy_Nmm", "energy"), line("force_N", "force"), this.now,
       text(LEFT, 13, "force", `force, up to ${neat(Math.max(...rows.map((row) => row.force_N)), 2)} N`),
       text(LEFT + 132, 13, "energy", `energy ${neat(last.energy_Nmm, 1)} N mm`),

@@ -62,7 +62,7 @@ PlanarSheet planar_motion(const Structure& sheet) {
   ParallelDrawingFit fit = parallel_drawing_of(planar);
   if (fit.is_closed())
     return {std::move(fit.y), -1,
-            "planar: all axes vertical, every face closes: each body on a path of its own"};
+            "planar: all axes vertical, every face closes: each body follows its own path"};
   const GraphFace& face = planar.faces[fit.worst_face];
   return {{},
           face.edges.front(),
@@ -147,7 +147,8 @@ class Rule {
       return along_x ? "all tilts of a column must be equal, with the sign alternating from row to row"
                      : "all rows must share one tilt, with the sign alternating from column to column";
     if (!same(p.t, asked.t))
-      return "all hinges of a column (or row) of walls must give the same fraction to their class-A vertex";
+      return "all hinges of a column (or row) of walls must give the same fraction to their vertex of "
+             "sublattice A";
     return {};
   }
 
@@ -167,7 +168,7 @@ std::string description(Family family, bool transposed) {
     case Family::F2:
       return "F2: basic rows, every column bends or shears: cylindrical sheet" + along;
     case Family::F3:
-      return "F3: rows tilted alike, every column bends" + along;
+      return "F3: rows with equal tilts, every column bends" + along;
     case Family::F4:
       return "F4: flat panels joined by creases along x and along y: net";
     case Family::planar:

@@ -185,7 +185,8 @@ void require_kept_rows(const Structure& structure, const Classification& kind, A
   if (kind.family == Family::none) return;
   const auto fold_to = [&](double theta) { return fold(kind, structure, theta); };
   if (keeps_between_plates(structure, rows, fold_to)) return;
-  throw InvalidInput("plates normal to " + std::string(to_string(axis)) + " cannot hold the rim of " + what +
+  throw InvalidInput("plates normal to " + std::string(to_string(axis)) + " cannot hold the boundary of " +
+                         what +
                          ": its first and last row of vertices do not stay in two parallel planes, "
                          "cos(theta) times as far apart as "
                          "flat, as it folds; "

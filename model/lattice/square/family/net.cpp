@@ -247,7 +247,8 @@ class Rules {
     if (!same(tilt_in_crease(hinge), own.tilt))
       return "all tilts of a crease must be equal, with the sign alternating along it";
     if (!same(fraction_of(hinge), own.t))
-      return "all hinges of a column (or row) of walls must give the same fraction to their class-A vertex";
+      return "all hinges of a column (or row) of walls must give the same fraction to their vertex of "
+             "sublattice A";
     if (folds(own) && !same(own.t, 0.5)) return "a crease that bends needs t = 1/2";
     if (is_hindered_[crease])
       return "a crease cannot cross another that bends where four cells meet, unless their two columns or "
@@ -328,7 +329,7 @@ NetCheck check_net(const Structure& structure, double tolerance) {
   const int open = open_hinge(structure, tolerance);
   if (open >= 0)
     return {1, open,
-            "creases around a hole must let it close: alike where they lie in line, and not crossing in it"};
+            "creases around a hole must let it close: equal if they are in line, and not crossing in it"};
   return check;
 }
 

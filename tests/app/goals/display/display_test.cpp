@@ -289,7 +289,7 @@ TEST(Display, OfThickWallsComesToRestSoon) {
 TEST(Display, LightBelowZeroIsNoPicture) {
   const auto [run, result] = shown_l(further + "structure: {cell_mm: 10, wall_mm: {thickness: 4}}\n");
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("cells is below zero: their walls lie over each other"));
+  EXPECT_THAT(run.out, HasSubstr("cells is below zero: their walls overlap"));
   // Without a correction for the area that walls cover twice at vertices, the mean of both was negative.
   EXPECT_GT(result["display"]["after"]["letter"], 0.1);
 }

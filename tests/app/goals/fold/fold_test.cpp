@@ -171,7 +171,7 @@ TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.out,
               ::testing::ContainsRegex("with 4 columns per crease, walls of crease `a-b` run into each other "
-                                       "at theta 6\\.[0-9]+ deg; the fold needs 40\\.[0-9]+ deg"));
+                                       "at a fold angle of 6\\.[0-9]+ deg; the fold needs 40\\.[0-9]+ deg"));
   EXPECT_THAT(run.out, HasSubstr("goal missed"));
 }
 

@@ -282,7 +282,7 @@ TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
     planned(found);
     FAIL() << "no error";
   } catch (const InvalidInput& e) {
-    EXPECT_THAT(e.what(), HasSubstr("no exact motion: "));
+    EXPECT_THAT(e.what(), HasSubstr("no analytic motion: "));
   }
 }
 

@@ -47,7 +47,7 @@ TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
                     "structure: {cells: [1, 1, 1]}\n");
   const Outcome run = kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out"));
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("lengths at rest are up to 20.0 % off those asked for; at most 5 % is "
+  EXPECT_THAT(run.out, HasSubstr("lengths at rest are up to 20.0 % off the requested lengths; at most 5 % is "
                                  "allowed: give other `cells`"));
 }
 

@@ -111,12 +111,12 @@ TEST_P(PanelOfClosedRim, IsToldToLeaveItsClosedFormByOneWall) {
   const EquilibriumPath path = trace_equilibrium(driven, {}, without_contact());
   const PathEvent* left = first_event(path, Kind::departure);
   ASSERT_TRUE(left) << path.why;
-  EXPECT_THAT(left->what, HasSubstr("left the closed form"));
+  EXPECT_THAT(left->what, HasSubstr("left the analytic motion"));
   EXPECT_THAT(left->what, HasSubstr("less energy; a second motion begins near there"));
   EXPECT_LT(left->at.theta, GetParam().branching + 1 * deg);
   EXPECT_GT(left->at.theta, GetParam().branching - 10 * deg);
   EXPECT_EQ(path.off_closed_form_since, left->at.theta);
-  EXPECT_THAT(path.why, HasSubstr("; off the closed form since theta "));
+  EXPECT_THAT(path.why, HasSubstr("; off the analytic motion since "));
   EXPECT_GT(turn_difference(driven, path), 0.1);
 }
 
@@ -160,7 +160,7 @@ TEST_P(PanelOfClosedRim, OfHingesThatGiveWayLeavesItForThese) {
   const PathEvent* left = first_event(path, Kind::departure);
   ASSERT_TRUE(left);
   EXPECT_LT(left->at.theta, 8 * deg);
-  EXPECT_THAT(left->what, HasSubstr("the hinges give way too much to hold it"));
+  EXPECT_THAT(left->what, HasSubstr("the hinges are too soft to hold it"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Floppy, PanelOfClosedRim,

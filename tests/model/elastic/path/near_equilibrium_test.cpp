@@ -61,7 +61,7 @@ TEST(NearEquilibrium, SaysWhereThereIsNoClosedForm) {
   s.hinges[0].parameters.t = 0.4;
   const EquilibriumPath path = equilibrium_at_closed_form(driven(s, by_hinge(s)), {});
   EXPECT_EQ(path.stop, Stop::not_converged);
-  EXPECT_EQ(path.why, "no closed form fits the structure");
+  EXPECT_EQ(path.why, "no analytic motion fits the structure");
 }
 
 using namespace testing;

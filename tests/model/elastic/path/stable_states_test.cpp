@@ -47,7 +47,7 @@ TEST(StableStates, OfATwistUnitAreFlatAndTheTwistOfEquationSix) {
     EXPECT_NEAR(lean(found.states[1].state), std::abs(pi - twist_angle(alpha * radians_per_degree)), 1e-6);
     EXPECT_NEAR(found.states[1].theta, -45 * radians_per_degree, 1e-6);
     EXPECT_LE(found.states[1].gaps.max, 1e-8);
-    EXPECT_THAT(found.states[1].how, HasSubstr("released at theta -4"));
+    EXPECT_THAT(found.states[1].how, HasSubstr("released at a fold angle of -4"));
 
     ASSERT_EQ(found.barriers.size(), 1u);
     const EnergyBarrier& barrier = found.barriers[0];
@@ -100,7 +100,7 @@ TEST(StableStates, OfATwistUnitAreTheSameUnderPlatesBehindAHigherBarrier) {
       find_stable_states(driven(s, std::vector<Drive>{plates_drive(Axis::y, -30 * radians_per_degree)}),
                          loose, {.path = without_contact()});
   ASSERT_EQ(by_plates.states.size(), 2u);
-  EXPECT_THAT(by_plates.states[1].how, HasSubstr("released at theta -30 deg"));
+  EXPECT_THAT(by_plates.states[1].how, HasSubstr("released at a fold angle of -30 deg"));
   EXPECT_LE(aligned_distance(s, by_plates.states[1].state, by_hinge.states[1].state).rms, 1e-7);
   EXPECT_GT(by_plates.barriers.at(0).energy, by_hinge.barriers.at(0).energy);
   EXPECT_TRUE(by_plates.barriers[0].load_vanishes);

@@ -165,7 +165,7 @@ TEST(NetRules, RefuseARingWithCreasesBothWays) {
   set_tilt(net, crease({{0, 2}, Axis::y}), 0.3);
   set_tilt(net, crease({{4, 2}, Axis::y}), 0.3);
   EXPECT_EQ(check_net(net).rule,
-            "creases around a hole must let it close: alike where they lie in line, and not crossing in it");
+            "creases around a hole must let it close: equal if they are in line, and not crossing in it");
 }
 
 TEST(NetRules, RefuseDifferentTiltsInLineAroundAHole) {
