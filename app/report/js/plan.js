@@ -109,7 +109,7 @@ function searchGroup({optimiser}) {
 function physicsGroup({physics}) {
   const options =
       Object.entries(dictionary(physics.options)).map(([key, value]) => [title(key), formatValue(value)]);
-  return group("Physics run", facts([
+  return group("Simulation", facts([
                  ["Status", formatValue(physics.status)],
                  ["Because", formatValue(physics.why)],
                  ["Steps", finite(physics.steps) === null ? null : String(physics.steps)],
