@@ -1,5 +1,5 @@
-// pictures.mjs FOLDER: draws the pictures of the studio's pages, for a bracelet and a letter, and writes their texts to
-// studio.json, which searches.test.mjs compares with its runs. Run by `make figures`.
+// pictures.mjs FOLDER: draws the pictures of the studio's pages, for a bracelet and a letter. It writes their texts to
+// studio.json, and searches.test.mjs compares them with its runs. `make figures` runs it.
 import {writeFileSync} from "node:fs";
 import path from "node:path";
 import {browser, folder, foundText, open, serve, wait} from "./studio.mjs";
