@@ -7,7 +7,7 @@ import numpy as np
 from picture import Mesh
 from walls import places_and_normals_of
 
-HEAD, FACE, LIT = (196, 196, 196), (240, 214, 160), (250, 190, 70)
+HEAD, FACE, LIT = (196, 196, 196), (224, 140, 60), (250, 190, 70)
 SHAPES = Path(__file__).resolve().parents[2] / "targets/shapes"
 
 

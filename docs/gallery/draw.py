@@ -35,12 +35,13 @@ def run(*command):
     return done.returncode, time.monotonic() - started, done.stderr
 
 
-def solids(folder, bodies):
-    """Returns the exported solids in one mesh. Bodies with vertices of an even sum have another colour than the others."""
+def solids(folder, bodies, is_plain):
+    """Returns the exported solids in one mesh. Bodies with vertices of an even sum have another colour than the others, unless the faces
+    behind them have a colour (`is_plain`)."""
     corners = read_stl(folder / "hard.stl")
     odd = [sum(body.get("vertex", [k])) % 2 for k, body in enumerate(bodies)]
     numbers = shells(corners)
-    colours = [(EVEN, ODD)[odd[n] if n < len(odd) else n % 2] for n in numbers]
+    colours = [EVEN if is_plain else (EVEN, ODD)[odd[n] if n < len(odd) else n % 2] for n in numbers]
     mesh = Mesh(corners, colours)
     return mesh + Mesh(read_stl(folder / "soft.stl"), SOFT) if (folder / "soft.stl").exists() else mesh
 
@@ -79,7 +80,8 @@ class Run:
         self.result = json.loads((self.folder / "result.json").read_text())
         self.is_exported = self.record["export"] == 0
         if self.is_exported:
-            flat, folded = (solids(self.folder / state, self.result["structure"]["bodies"]) for state in ("flat", "folded"))
+            is_plain = len(self.result.get("fold", {}).get("ideal_mm", [])) > 6
+            flat, folded = (solids(self.folder / state, self.result["structure"]["bodies"], is_plain) for state in ("flat", "folded"))
             places, normals, backdrop = places_and_normals_in(self.folder / "folded", self.result, backdrop_of(design.name, self.result))
             self.print = json.loads((self.folder / "flat/print.json").read_text())
         else:
