@@ -7,6 +7,9 @@ import {browser, folder, foundText, open, serve, wait} from "./studio.mjs";
 const [target] = process.argv.slice(2), SIZE = {width: 1000, height: 640}, SETTLED = 1500;  // CSS pixels; ms
 const chrome = await browser(), home = folder(), studio = await serve("", home), {page} = await open(chrome, studio.address, SIZE);
 await page.setViewport({...SIZE, deviceScaleFactor: 1});
+await page.reload();  // the scene takes the screen's pixels when it is made
+await page.waitForFunction(() => Boolean(window.kinetix));
+await page.evaluate(() => window.kinetix.ready);
 
 const shoot = async (name) => (await wait(SETTLED), page.screenshot({path: path.join(target, `${name}.png`)}));
 const shown = (id) => page.waitForFunction((name) => !document.getElementById(name).hidden, {timeout: 120000}, id);
