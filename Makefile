@@ -72,7 +72,7 @@ figures: dev gallery
 	build/dev/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o build/figures/helmet_rib
 	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format stl --state flat -o build/figures/flat
 	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format stl --state folded -o build/figures/folded
-	docs/figures/render.py build/figures/flat/all.stl build/figures/folded/all.stl docs/figures/printed_rib.png
+	/usr/bin/python3 docs/figures/render.py build/figures/flat/all.stl build/figures/folded/all.stl docs/figures/printed_rib.png
 	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format glb -o build/figures/glb
 	if command -v blender > /dev/null; then blender -b --factory-startup --python docs/figures/render_rib.py -- \
 	  build/figures/glb/helmet_rib.glb docs/figures/rib_rendering.jpg; fi

@@ -109,7 +109,7 @@ def draw_hero(runs):
     """Draws a few designs in a row, to one scale."""
     row, left = None, 0.0
     for run_ in runs:
-        flat, folded = run_.flat, run_.folded
+        flat, folded = run_.flat, run_.shown
         behind = flat.size()[1] / 2 + 15 + folded.size()[1] / 2
         pair = flat.moved([0, -behind, 0]) + folded
         low, high = pair.bounds()
