@@ -12,7 +12,7 @@
 # make soak: the long proofs that make test leaves out, and SOAK_FILES damaged files of every kind that is read, through
 #   the program under the address sanitizer.
 # make docs: write the pages of files in docs/reference and the schemas anew from the tables of keys, and outputs in pages from runs.
-# make gallery: run the designs of docs/gallery.md and draw them.
+# make figures: draw all pictures of the documentation (CONTRIBUTING.md lists them). make gallery: of docs/gallery.md and README.md alone.
 # make site: build/site, the documentation for a browser.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
@@ -24,7 +24,7 @@ FUZZ_RUNS ?= 100000
 SOAK_FILES ?= 1000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program soak bench bench-quick format docs gallery site packages clean mutants
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program soak bench bench-quick format docs figures gallery site packages clean mutants
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -65,6 +65,18 @@ docs: $(ALL_PACKAGES)
 
 gallery: program
 	docs/gallery/draw.py build/release/bin/kinetix-opt build/gallery
+
+# Without Blender the rendering of the rib stays as it is. Pictures of the studio need the packages of the page tests.
+figures: dev gallery
+	docs/figures/draw.py
+	build/dev/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o build/figures/helmet_rib
+	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format stl --state flat -o build/figures/flat
+	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format stl --state folded -o build/figures/folded
+	/usr/bin/python3 docs/figures/render.py build/figures/flat/all.stl build/figures/folded/all.stl docs/figures/printed_rib.png
+	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format glb -o build/figures/glb
+	if command -v blender > /dev/null; then blender -b --factory-startup --python docs/figures/render_rib.py -- \
+	  build/figures/glb/helmet_rib.glb docs/figures/rib_rendering.jpg; fi
+	KINETIX_OPT=build/dev/bin/kinetix-opt node build/dev/tests/viewer/pictures.mjs docs/figures
 
 site: build/.installed/site
 	mkdocs build --quiet

@@ -15,6 +15,7 @@ sys.dont_write_bytecode = True  # no folder of compiled modules next to the pict
 
 import numpy as np
 
+from backdrop import backdrop_of
 from designs import DESIGNS, HERO
 from page import write_page
 from picture import Mesh, EVEN, ODD, SOFT, coin, draw, read_stl, shells, write_png
@@ -34,28 +35,31 @@ def run(*command):
     return done.returncode, time.monotonic() - started, done.stderr
 
 
-def solids(folder, bodies):
-    """Returns the exported solids in one mesh. Bodies with vertices of an even sum have another colour than the others."""
+def solids(folder, bodies, is_plain):
+    """Returns the exported solids in one mesh. Bodies with vertices of an even sum have another colour than the others, unless the faces
+    behind them have a colour (`is_plain`)."""
     corners = read_stl(folder / "hard.stl")
     odd = [sum(body.get("vertex", [k])) % 2 for k, body in enumerate(bodies)]
     numbers = shells(corners)
-    colours = [(EVEN, ODD)[odd[n] if n < len(odd) else n % 2] for n in numbers]
+    colours = [EVEN if is_plain else (EVEN, ODD)[odd[n] if n < len(odd) else n % 2] for n in numbers]
     mesh = Mesh(corners, colours)
     return mesh + Mesh(read_stl(folder / "soft.stl"), SOFT) if (folder / "soft.stl").exists() else mesh
 
 
-def places_and_normals_in(folder, result):
-    """Returns the middles of bodies and the normals of the sheet there, as the files of the folded state have them. An export may turn the
-    sheet: middles of the solids show by how much (Kabsch's method). None where solids are not the bodies."""
+def places_and_normals_in(folder, result, backdrop):
+    """Returns the middles of bodies, the normals of the sheet there and the backdrop, as the files of the folded state have them. An export
+    may turn the sheet: middles of the solids show by how much (Kabsch's method). None where solids are not the bodies."""
     places, normals = places_and_normals_of(result)
     corners = read_stl(folder / "hard.stl")
     numbers = shells(corners)
     if numbers.max() + 1 != len(places):
-        return None, None
+        return None, None, None
     middles = np.array([corners[numbers == k].mean(axis=(0, 1)) for k in range(len(places))])
     u, _, v = np.linalg.svd((places - places.mean(axis=0)).T @ (middles - middles.mean(axis=0)))
     rotation = (u @ np.diag([1, 1, np.sign(np.linalg.det(u @ v))]) @ v).T
-    return middles, normals @ rotation.T
+    if backdrop:
+        backdrop = backdrop.moved(-places.mean(axis=0)).turned(rotation).moved(middles.mean(axis=0))
+    return middles, normals @ rotation.T, backdrop
 
 
 class Run:
@@ -76,18 +80,20 @@ class Run:
         self.result = json.loads((self.folder / "result.json").read_text())
         self.is_exported = self.record["export"] == 0
         if self.is_exported:
-            flat, folded = (solids(self.folder / state, self.result["structure"]["bodies"]) for state in ("flat", "folded"))
-            places, normals = places_and_normals_in(self.folder / "folded", self.result)
+            is_plain = len(self.result.get("fold", {}).get("ideal_mm", [])) > 6
+            flat, folded = (solids(self.folder / state, self.result["structure"]["bodies"], is_plain) for state in ("flat", "folded"))
+            places, normals, backdrop = places_and_normals_in(self.folder / "folded", self.result, backdrop_of(design.name, self.result))
             self.print = json.loads((self.folder / "flat/print.json").read_text())
         else:
             flat, folded = wall_meshes(self.result)
             places, normals = places_and_normals_of(self.result)
-            self.print = None
+            backdrop, self.print = backdrop_of(design.name, self.result), None
         self.flat, self.folded = flat.on_table(), posed(folded, design.posture, places, normals).on_table()
+        self.shown = posed(folded + backdrop, design.posture, places, normals).on_table() if backdrop else self.folded
 
     def scene(self):
         """Returns both states on one table, next to each other or one behind the other, with a coin."""
-        flat, folded = self.flat, self.folded
+        flat, folded = self.flat, self.shown
         wide, deep, _ = flat.size()
         if self.design.is_behind or wide > 3 * deep:
             gap = GAP * wide
@@ -103,7 +109,7 @@ def draw_hero(runs):
     """Draws a few designs in a row, to one scale."""
     row, left = None, 0.0
     for run_ in runs:
-        flat, folded = run_.flat, run_.folded
+        flat, folded = run_.flat, run_.shown
         behind = flat.size()[1] / 2 + 15 + folded.size()[1] / 2
         pair = flat.moved([0, -behind, 0]) + folded
         low, high = pair.bounds()

@@ -6,6 +6,8 @@ HEAD = """# Gallery
 Each design is a target file of the repository and one command. The pictures are renderings of the solids that `export` wrote, flat
 as printed and folded. The disc is a 1 euro coin, 23.25 mm wide, to the same scale.
 
+A grey head under a helmet, and the coloured faces of solids and cells of letters, are no parts: they show the shape.
+
 Sizes are those of the exported solids. Forces are computed; without a `hinge:` section they are those of the friction of the
 hinges, 0.1 N mm/rad, which is assumed. `make gallery` runs all designs, draws them and writes this page. The searches
 took {minutes} minutes together on two cores, next to other work.

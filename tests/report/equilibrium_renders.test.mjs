@@ -27,7 +27,7 @@ test("an equilibrium that the simulation confirms has its force, energy and cont
   const [file, out] = panel("verified", "{kind: plates, axis: y, compression: 0.25}");
   await runs(0, "verify", file, "--quiet", "-o", out);
   await page.draw(out);
-  page.holds("In equilibrium, and the simulation agrees");
+  page.holds("<h2>Reached by its drive, simulation agrees</h2>");
   page.drawn("load", 'class="badge"');
   page.drawn("load", "walls touch");
   page.drawn("energy", 'class="heat"');

@@ -11,7 +11,7 @@ async function draw(result) {
 test("all sections are drawn", async () => {
   await draw(SAMPLE);
   page.holds('id="headline"');
-  page.holds("Target met, and the simulation agrees");
+  page.holds("<h2>Goal met, printable with pin hinges, simulation agrees</h2>");
   page.holds("<dt>Shape</dt><dd>0.3 mm rms from the curve, 0.6 mm at most; limit 0.8 mm rms</dd>");
   page.lacks("<dt>Size</dt>");
   page.holds('id="folded"');

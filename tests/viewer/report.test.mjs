@@ -96,7 +96,7 @@ test("the first screen shows the thing, its sheet, one sentence and sizes; detai
 
 test("a letter: cells on the right side, and a slider of distance that blurs them", async () => {
   await report("letter_t");
-  assert.match(await page.$eval(".verdict h2", (title) => title.textContent), /all 64 cells on the right side/);
+  assert.match(await page.$eval(".verdict h2", (title) => title.textContent), /^Goal met, /);
   const blur = (metres) => page.evaluate((value) => {
     const slider = document.querySelector("#distance input");
     slider.value = value;
@@ -172,6 +172,43 @@ test("a curve in space: bars of columns lie within their axes, to their own side
     assert.ok(bars > 10 && ticks > 2, `${bars} bars, ${ticks} ticks`);
     assert.ok(low > -1 && high > 15 && fromZero < 1.5, `${low}, ${high}, ${fromZero} px`);
   }
+  assert.deepEqual(complaints, []);
+});
+
+test("on a phone no label lies on another or beyond its drawing", async () => {
+  await resize(page, ...NARROW);
+  for (const name of ["helmet_rib", "cube", "letter_t", "headform", "helix"]) {
+    await report(name);
+    await page.evaluate(() => document.querySelectorAll("details").forEach((box) => (box.open = true)));
+    await drawn(page);
+    assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll("main svg")].filter((drawing) => drawing.checkVisibility()).flatMap((drawing) => {
+      const all = drawing.getBoundingClientRect(), labels = [...drawing.querySelectorAll("text")].map((label) => ({text: label.textContent, box: label.getBoundingClientRect()}));
+      const beyond = labels.filter(({box}) => box.left < all.left - 1 || box.right > all.right + 1).map(({text}) => `${text} is cut`);
+      const over = labels.flatMap(({text, box: a}, k) => labels.slice(k + 1).filter(({box: b}) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1.5 &&
+        Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4).map((other) => `${text} on ${other.text}`));
+      return [...beyond, ...over];
+    })), [], name);
+  }
+  await resize(page, ...WIDE);
+});
+
+test("the page scrolls over the scene; a picture has two pixels per CSS pixel, sizes and a clear background", async () => {
+  await report("cube");
+  await page.$eval("#space .stage canvas", (canvas) => canvas.scrollIntoView({block: "center"}));
+  const box = await (await page.$("#space .stage canvas")).boundingBox(), before = await page.evaluate(() => window.scrollY);
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.wheel({deltaY: 100});
+  await page.waitForFunction((top) => window.scrollY > top, {}, before);
+  const seen = await page.evaluate(async () => {
+    const whole = new Promise((resolve) => (URL.createObjectURL = (blob) => (resolve(blob), "data:,")));
+    [...document.querySelectorAll("#space button")].find(({textContent}) => textContent === "Picture").click();
+    const picture = await createImageBitmap(await whole), {width, height} = picture, context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(picture, 0, 0);
+    const {data} = context.getImageData(0, 0, width, height), count = (is) => data.reduce((sum, v, k) => sum + (k % 4 === 3 && is(data[k - 3], data[k - 1], v) ? 1 : 0), 0) / (width * height);
+    return {width, clear: count((r, b, a) => a === 0), warm: count((r, b, a) => a === 255 && r > b + 20), ink: count((r, b, a) => a === 255 && r < 60 && b < 60)};
+  });
+  assert.ok(Math.abs(seen.width - 2 * box.width) < 3, `${seen.width} pixels on ${box.width}`);
+  assert.ok(seen.clear > 0.3 && seen.warm > 0.01 && seen.ink > 0.0002, JSON.stringify(seen));
   assert.deepEqual(complaints, []);
 });
 

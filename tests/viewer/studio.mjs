@@ -91,4 +91,7 @@ export const leave = (page) => page.goto("about:blank");
 /** Waits until the page has drawn all that it was asked to draw so far. */
 export const drawn = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
+/** Returns the lines of the verdict in the panel of goals. Runs in the page. */
+export const foundText = (panel) => [panel.querySelector("h2"), ...panel.querySelectorAll("#found_text > dl > div")].map(({textContent}) => textContent);
+
 export const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));

@@ -154,11 +154,10 @@ test("it pushes on a plate, films, and compares with the design before", async (
   if (!(await page.$eval("#film", (button) => button.hidden))) {
     await page.click("#film");
     assert.equal(await text("film"), "Stop film");
-    const frames = await page.evaluate(() => window.kinetix.frames);
-    await page.evaluate(() => window.kinetix.setTheta(12));
-    await page.waitForFunction((last) => window.kinetix.frames > last, {}, frames);
-    await page.click("#film");
-    assert.equal(await text("film"), "Film");
+    await page.evaluate(() => (URL.createObjectURL = (blob) => ((window.film = blob.size), "data:,")));
+    await page.click("#film");  // at once, and nothing moves
+    await page.waitForFunction(() => document.getElementById("film").textContent === "Start film");
+    assert.ok((await page.evaluate(() => window.film)) > 1000, "a film of more than its header");
   }
   await page.click("#remember");
   await page.click("#compare");

@@ -34,7 +34,7 @@ function thetaPlace(covers, {hasLeft}) {
 
 /** Draws a bar for each range, and a line at the theta of the reported state. */
 function drawRanges({certified, metrics}, width) {
-  const bars = [["as designed", certified.design], ["with errors", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
+  const bars = [["as designed", certified.design], ["with errors", certified.printed]], row = 34, left = 92, height = bars.length * row + 44;
   const theta = certified.hasLeft ? null : toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];
   const X = mapping({range: padded([Math.min(...ends), Math.max(...ends)])}, left, width - 14);
   const line = (at, kind) => svg("path", {class: kind, d: path([[X(at), 4], [X(at), bars.length * row + 4]])});
@@ -45,10 +45,8 @@ function drawRanges({certified, metrics}, width) {
         svg("rect", {class: "bar free", x: X(low.theta), y: k * row + 10, width: Math.max(X(high.theta) - X(low.theta), 1), height: 20})
       ]),
       line(0, "zero"), theta === null ? null : line(theta, "best"),
-      svg("text", {class: "label", x: X(0), y: height - 12, "text-anchor": "middle"}, "flat"),
-      theta === null || Math.abs(X(theta) - X(0)) < 40 ?
-          null :
-          svg("text", {class: "label", x: X(theta), y: height - 12, "text-anchor": "middle"}, `this state, ${degrees(theta)}`));
+      svg("text", {class: "label", x: X(0), y: height - 22, "text-anchor": "middle"}, "flat"),
+      theta === null ? null : svg("text", {class: "label", x: X(theta), y: height - 4, "text-anchor": theta > 0 ? "end" : "start"}, `this state, ${degrees(theta)}`));
 }
 
 function describeLeftOut({leftOut}) {

@@ -197,6 +197,7 @@ function readResult(raw) {
     stable: readStable(raw.equilibrium, structure),
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(raw),
+    title: typeof dictionary(raw.summary).title === "string" ? raw.summary.title : "computed",
     summary: list(dictionary(raw.summary).lines).filter((line) => typeof line?.label === "string" && typeof line.text === "string"),
     printTolerance: readPrintTolerance(raw.as_made),
     certified: readCertified(raw.certified),

@@ -66,7 +66,7 @@ function driveKind(unit, springs) {
 }
 
 function capital(text) {
-  return text[0].toUpperCase() + text.slice(1);
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** Reads the section `equilibrium`; null without a path. */
@@ -105,41 +105,17 @@ function driveShown(equilibrium, drive) {
   return equilibrium.drive.shown(drive);
 }
 
-/** Returns the verdict on an equilibrium: {mark, tone, title, text}. */
-function equilibriumVerdict(data) {
+/** Describes how the drive ended, its load and its energy. */
+function describeEquilibrium(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
-  const reached = equilibrium.stop === "reached";
   const held = `${equilibrium.drive.holds} ${load} at ${
       describeDrive(equilibrium, equilibrium.last.drive)}; the hinges store ${
       force(equilibrium.last.energy_Nmm, "N\u00a0mm")}.`;
-  const {verified} = data.verdict, hasRun = Boolean(data.physics.status);
-  if (!reached)
-    return {
-      mark: "\u2715",
-      tone: "bad",
-      title: `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}`,
-      text: `${held} Reason: ${equilibrium.why}`
-    };
-  if (equilibrium.isOnTheOtherSide)
-    return {
-      mark: "\u2715",
-      tone: "bad",
-      title: "In equilibrium, but folded in the opposite direction",
-      text: `Its fold angle is ${degrees(toDegrees(data.metrics.theta_rad))}, requested ${degrees(toDegrees(equilibrium.goal))}. ${held}`
-    };
-  if (hasRun && verified === false)
-    return {
-      mark: "!",
-      tone: "bad",
-      title: "In equilibrium, but the simulation " + failing(data),
-      text: `${held} ${describePhysics(data)}`
-    };
-  return {
-    mark: hasRun ? "\u2713" : "i",
-    tone: hasRun ? "good" : "unsure",
-    title: hasRun ? "In equilibrium, and the simulation agrees" : "In equilibrium",
-    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
-  };
+  if (equilibrium.stop !== "reached")
+    return `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}. ${held} Reason: ${equilibrium.why}`;
+  const side = !equilibrium.isOnTheOtherSide ? "" :
+      `It folded in the opposite direction: its fold angle is ${degrees(toDegrees(data.metrics.theta_rad))}, requested ${degrees(toDegrees(equilibrium.goal))}. `;
+  return `${side}${held} ${describeSimulation(data)}`;
 }
 
 function equilibriumNumbers(data) {

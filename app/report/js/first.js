@@ -1,7 +1,7 @@
 // First screen: pictures of the folded and the flat sheet, verdict, sizes in mm, force, print tolerance.
 
 const LONG_SHEET = 3;         // ratio of width to height: longer sheets are below the folded picture, not beside it
-const SHOT_HEIGHT = 280;      // largest height, CSS pixels: both pictures and the verdict fit a screen of 800
+const SHOT_HEIGHT = 300;      // largest height, CSS pixels: both pictures and the verdict fit a screen of 800
 const SHOT_MARGIN = 10;       // CSS pixels around a picture
 const FOLDED_COLUMN = 1.35;   // column width of the folded picture over that of the flat one, as in the style sheet
 const NARROW = "(max-width: 700px)";  // screens with one picture below the other, as in the style sheet
@@ -141,9 +141,14 @@ function cellsText(structure) {
   return `${count(structure.cells, "cell", "cells")}, edges of ${millimetres(structure.cell)}`;
 }
 
+/** Returns the parts of the console's line of sizes that the pictures do not have: " at 30 deg", "collision-free to 40 deg". */
+function sizeParts({summary}) {
+  const text = summary.find(({label}) => label === "size")?.text ?? "", [sizes, ...rest] = text.split("; ");
+  return {angle: / at [^ ]+ deg$/.exec(sizes)?.[0] ?? "", range: rest.join("; ")};
+}
+
 /** Returns the lines of the console as rows, except the sizes, which are taken from the pictures. */
 function summaryFacts({summary}) {
-  const capital = (label) => label.charAt(0).toUpperCase() + label.slice(1);
   return summary.filter(({label}) => label !== "size" && label !== "bodies").map(({label, text}) => [capital(label), text]);
 }
 
@@ -159,8 +164,9 @@ function firstFacts(data) {
   const isDrawn = plates(structure).length > 0;
   const rows = [
     [isBodies ? "At rest" : "Flat", isDrawn && states.flat && sizeText(boxOfPlates(standingFlat(data)))],
-    [isBodies ? "Moved" : "Folded", isDrawn && states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
+    [isBodies ? "Moved" : "Folded", isDrawn && states.model && sizeText(boxOfPlates(standingPlates(data, states.model))) + sizeParts(data).angle],
     isBodies ? ["Bodies", `${structure.bodies.length}, with ${count(structure.hinges.length, "hinge", "hinges")}`] : ["Sheet", `${cellsText(structure)}; ${walls}`],
+    ["Walls", capital(sizeParts(data).range)],
     ...summaryFacts(data),
     ["Print time", printText(data)],
   ].filter(([, value]) => value);
@@ -188,13 +194,12 @@ function firstShots(data) {
       flat ? figure((width) => drawShot(flat, folded, width, wider()), words[2]) : null);
 }
 
-/** Lists all problems, one sentence each. Several problems: warnings are collapsed. */
+/** Lists problems, one sentence each: errors and the first warning, as on the console. Other warnings are collapsed. */
 function problemLines({verdict: {errors, warnings}}) {
   const line = (level) => (text) => html("p", {class: "why"}, `${level}: ${text}`);
-  const lines = warnings.map(line("Warning"));
-  if (errors.length + lines.length > 1 && lines.length)
-    return [...errors.map(line("Error")), html("details", {class: "warnings"}, html("summary", {}, count(lines.length, "warning", "warnings")), lines)];
-  return [...errors.map(line("Error")), ...lines];
+  const lines = [...errors.map(line("Error")), ...warnings.map(line("Warning"))], shown = lines.splice(0, Math.max(1, errors.length));
+  if (lines.length) shown.push(html("details", {class: "warnings"}, html("summary", {}, count(lines.length, "more warning", "more warnings")), lines));
+  return shown;
 }
 
 function firstScreen(data) {

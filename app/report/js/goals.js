@@ -6,7 +6,7 @@
 //   view: best view of the folded shape: side, top or slant.
 //   bottom: three bodies of the part that the folded sheet stands on (optional).
 //   backdropKey: [class, words] of the backdrop in a legend (optional).
-//   verdict: {mark, tone, title, text}.
+//   describe: text.
 //   numbers: key numbers for the top of the page.
 //   fitText: formats the error of a start of the search, if it is not a share of the goal's size (optional).
 //   standing: function from data to a picture for the first screen that replaces the walls (optional).

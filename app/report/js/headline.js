@@ -11,25 +11,15 @@ function describePhysics(data) {
   return `The simulated sheet settles ${size} away from the model${limit}.`;
 }
 
-function failing(data) {
-  return data.physics.status && data.physics.status !== "settled" ? "failed" : "disagrees";
+/** Describes the simulation, or its absence. */
+function describeSimulation(data) {
+  return data.verdict.verified === null ? "It was not checked by a simulation." : describePhysics(data);
 }
 
-/** Returns the verdict on a design, which has no target. */
-function designVerdict(data) {
-  const {met, verified} = data.verdict;
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: "The simulation " + failing(data), text: describePhysics(data)};
-  const physics = verified ? ", and the simulation agrees" : "", text = verified ? describePhysics(data) : "";
-  if (met) return {mark: "\u2713", tone: "good", title: "The bodies reach the requested poses" + physics, text};
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The bodies do not reach the requested poses", text};
-  return {
-    mark: "i",
-    tone: "unsure",
-    title: verified ? "One folded state, and the simulation agrees" : "One folded state",
-    text: verified && finite(data.metrics.verify_rms) !== null ? describePhysics(data) :
-                                                                 "The file has no target to compare with."
-  };
+/** Describes a design, which has no target. */
+function describeDesign(data) {
+  const bodies = {true: "The bodies end where they are pulled to. ", false: "The bodies do not end where they are pulled to. "}[data.verdict.met] ?? "";
+  return (bodies || "It has no target. ") + describeSimulation(data);
 }
 
 /** Describes the soft hinges with which prints are judged, in one sentence; "" if there are none. */
@@ -79,19 +69,21 @@ function describeSamplePrints({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
 
 const parameterNames = {t: "position", alpha: "direction", beta: "tilt", offset: "offset"};
 
-/** Makes the verdict red if any flag is false, and amber if there are warnings. */
-function summarise(found, {verdict: {printable, reaches, warnings}}) {
-  if (found.tone === "bad") return found;
-  const fault = reaches === false ? "but not reached by its drive" : printable === false ? "but not printable" : null;
-  if (fault) return {...found, mark: "\u2715", tone: "bad", title: `${found.title}, ${fault}`};
-  if (found.tone !== "good" || !warnings.length) return found;
-  return {...found, mark: "!", tone: "unsure", title: `${found.title}, with ${count(warnings.length, "warning", "warnings")}`};
+/** Returns the class of the verdict's colours: as on the console, red if a flag is false and amber if there are warnings. */
+function toneOf({met, verified, printable, reaches, errors, warnings}) {
+  if (errors.length || [met, verified, printable, reaches].includes(false)) return "bad";
+  return warnings.length || !(met || verified) ? "unsure" : "good";
 }
 
-/** Returns the verdict: {mark, tone, title, text}. */
-function verdict(data) {
-  const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
-  return summarise(found, data);
+/** Returns the verdict: {mark, tone, title}. The title is that of the console, without the name of the design. */
+function verdict({verdict: flags, name, title}) {
+  const tone = toneOf(flags), mark = {bad: "\u2715", good: "\u2713", unsure: flags.warnings.length ? "!" : "i"}[tone];
+  return {mark, tone, title: capital(title.startsWith(`${name}: `) ? title.slice(name.length + 2) : title)};
+}
+
+/** Describes the result in words. */
+function describeResult(data) {
+  return data.kind ? data.kind.describe(data) : data.equilibrium ? describeEquilibrium(data) : describeDesign(data);
 }
 
 function keyNumber(name, value, note) {
@@ -156,7 +148,7 @@ function keyNumbers(data) {
 /** Makes the section with the full verdict and all key numbers. */
 function verdictSection(data) {
   return [
-    html("p", {}, verdict(data).text),
+    html("p", {}, describeResult(data)),
     data.matter ? html("p", {}, describeCompensation(data)) : null,
     data.printTolerance ? html("p", {}, describePrintTolerance(data)) : null,
     keyNumbers(data),

@@ -45,7 +45,12 @@ function intoMotion(state, poses) {
   return (point) => add(turned([...poses.slice(3, 7)], turned(back, subtract(point, p))), [...poses.slice(0, 3)]);
 }
 
-/** Returns the drawing of the goal: a ribbon for a strip, a picture below a panel, the lines of a head. */
+/** Returns the triangles of a flat convex face. */
+function fan(face) {
+  return face.slice(2).map((corner, k) => [face[0], face[k + 1], corner]);
+}
+
+/** Returns the drawing of the goal: faces of a solid, a ribbon for a strip, a picture below a panel, the lines of a head. */
 function goalOf(data, motion) {
   const {model} = data.states, to = intoMotion(model, motion.poses(motion.to)), goal = seenFromSide(data) ? data.goal?.goal ?? [] : [];
   const lines = [...(data.goal?.backdrop ?? []), ...(data.goal?.ideal ?? [])].map((line) => line.map(to));
@@ -53,7 +58,7 @@ function goalOf(data, motion) {
     const {source, corners} = KinetixScene.pictureUnder(data.goal.under, model.poses.map((pose) => pose.p), data.structure.height);
     return {lines, picture: {source, corners: corners.map(to)}};
   }
-  if (goal.length < 2) return {lines};
+  if (goal.length < 2) return {lines, triangles: (data.goal?.ideal ?? []).flatMap((face) => fan(face.map(to)))};
   const ys = model.poses.map((pose) => pose.p[1]), more = 0.75 * data.structure.cell;
   const [front, back] = [Math.min(...ys) - more, Math.max(...ys) + more].map((y) => goal.map(([x, z]) => to([x, y, z])));
   const triangles = goal.slice(1).flatMap((_, k) => [[front[k], front[k + 1], back[k + 1]], [front[k], back[k + 1], back[k]]]);
@@ -174,19 +179,13 @@ class SceneView {
     if (on) requestAnimationFrame(tick);
   }
 
-  async film(button) {
-    const running = this.filming;
-    this.filming = running ? null : KinetixScene.record(this.canvas);
-    button.textContent = running ? "Film" : "Stop film";
-    if (running) KinetixScene.saveAs(await running(), `${this.data.name}.webm`);
-  }
-
   buttons() {
     const button = (text, click) => html("button", {type: "button", click}, text);
     const views = ["top", "front", "side", "slant"].map((name) => button(name[0].toUpperCase() + name.slice(1), () => this.scene.orbit.view(name)));
     const picture = button("Picture", async () => KinetixScene.saveAs(await this.scene.picture(), `${this.data.name}.png`));
     const full = button("Full screen", () => (document.fullscreenElement ? document.exitFullscreen() : this.stage.requestFullscreen?.())?.catch(() => {}));
-    const film = KinetixScene.canRecord(this.canvas) ? button("Film", () => this.film(film)) : null;
+    const film = KinetixScene.canRecord(this.canvas) ? html("button", {type: "button"}) : null;
+    if (film) KinetixScene.listenForFilm(film, () => this.scene, () => this.data.name, problem);
     return html("div", {class: "buttons"}, views, button("Fit", () => this.scene.fit()), full, picture, film);
   }
 
@@ -217,5 +216,5 @@ function sceneSection(data) {
     if (view.made) view.fitInPlace();
     return view.stage;
   });
-  return [controls, box, html("p", {class: "note on-screen"}, `Drag to turn it, wheel or pinch to zoom. ${view.motion.words}`)];
+  return [controls, box, html("p", {class: "note on-screen"}, `Drag to turn it; on a phone, drag sideways. Ctrl and wheel, or two fingers, zoom. ${view.motion.words}`)];
 }

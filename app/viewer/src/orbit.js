@@ -8,6 +8,12 @@ const ROOM = 0.86;        // fraction of the picture that the object fills
 const HIGHEST = Math.PI / 2 - 0.001;
 export const VIEWS = {slant: [-0.6, 0.45], front: [0, 0.02], side: [Math.PI / 2, 0.02], top: [0, HIGHEST]};
 
+/** Returns whether a turn of the wheel zooms. In a page that scrolls it needs Ctrl, which a pinch on a touchpad has too. */
+function zoomsBy({ctrlKey, metaKey}) {
+  const {scrollHeight, clientHeight} = document.documentElement;
+  return ctrlKey || metaKey || Boolean(document.fullscreenElement) || scrollHeight <= clientHeight;
+}
+
 export class Orbit {
   /** @param changed called after a change of the view   @param isTaken whether another tool uses this pointer event */
   constructor(camera, element, changed, isTaken = () => false) {
@@ -22,14 +28,31 @@ export class Orbit {
     this.turned();
   }
 
-  /** Fits a box {low, high} into the view from the present direction. The fit stays active until the user zooms or
-   *  pans. */
-  fit({low, high}, least = 0) {
-    Object.assign(this, {follows: true, box: {low, high}, least});
+  /** Fits a box {low, high} into the view from the present direction, and its points [[x, y, z]] into the middle. The
+   *  fit stays active until the user zooms or pans. */
+  fit({low, high, points}, least = 0) {
+    Object.assign(this, {follows: true, box: {low, high, points}, least});
     this.centre.set(...low.map((v, k) => 0.5 * (v + high[k])));
     this.radius = Math.max(1e-3, least, 0.5 * Math.hypot(...low.map((v, k) => high[k] - v)));
     this.distance = this.distanceOf(low.map((v, k) => 0.5 * (high[k] - v)));
+    this.place();
+    this.centreOn(points);
     this.apply();
+  }
+
+  /** Shifts the centre until the points are in the middle of the picture. */
+  centreOn(points) {
+    const {elements: m} = this.camera.matrixWorld, low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+    for (const [x, y, z] of points) {
+      const v = [x - m[12], y - m[13], z - m[14]], along = (k) => v[0] * m[k] + v[1] * m[k + 1] + v[2] * m[k + 2], depth = -along(8);
+      for (const axis of [0, 1]) {
+        const at = along(4 * axis) / depth;
+        low[axis] = Math.min(low[axis], at);
+        high[axis] = Math.max(high[axis], at);
+      }
+    }
+    const [dx, dy] = low.map((v, axis) => 0.5 * this.distance * (v + high[axis]));
+    if (points.length) this.centre.add(new THREE.Vector3(dx * m[0] + dy * m[4], dx * m[1] + dy * m[5], dx * m[2] + dy * m[6]));
   }
 
   /** Computes the distance at which a box with these half sizes fills the picture. */
@@ -45,7 +68,8 @@ export class Orbit {
     return most;
   }
 
-  apply() {
+  /** Places the camera. */
+  place() {
     const {camera, centre, azimuth, elevation, distance} = this, flat = Math.cos(elevation);
     camera.position.set(Math.sin(azimuth) * flat, -Math.cos(azimuth) * flat, Math.sin(elevation)).multiplyScalar(distance).add(centre);
     camera.up.set(0, 0, 1);
@@ -54,6 +78,10 @@ export class Orbit {
     camera.far = distance + 12 * (this.radius ?? distance);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
+  }
+
+  apply() {
+    this.place();
     this.changed();
   }
 
@@ -90,6 +118,7 @@ export class Orbit {
     element.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
     element.addEventListener("wheel", (event) => {
+      if (!zoomsBy(event)) return;
       event.preventDefault();
       this.zoom(Math.exp(0.0012 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
     }, {passive: false});

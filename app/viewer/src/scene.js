@@ -4,6 +4,7 @@ import {cssColour, heat} from "./colours.js";
 import {Orbit} from "./orbit.js";
 import {HingeAxes} from "./hinge_axes.js";
 import {Picker} from "./picking.js";
+import {drawSizes} from "./picture_sizes.js";
 import {Openings} from "./openings.js";
 import {mesh, platesOf} from "./plates.js";
 import {fillPoses, posed, poseTexture} from "./posed_material.js";
@@ -18,6 +19,8 @@ const SMALLEST = 0.35;      // of the flat sheet's half diagonal: smaller shapes
 const STILL = 300;          // ms without a change; then all pixels are drawn once
 const SUN = [-0.35, -0.45, 2.2];  // position over the reach of its light
 const SOFT = 0.06;          // of the reach: width of a shadow's soft boundary
+const HARD = 0xded6c4, SOFT_PART = 0xe2783c, HARD_EDGE = 0x6f6752;  // in pictures, as in docs/gallery/picture.py
+const PICTURE_PIXELS = 2;   // per CSS pixel of a picture
 const SLOWEST_FRAMES = 4;   // times the last frame time: on a slow machine the next frame may take as long
 
 export class Scene {
@@ -195,9 +198,15 @@ export class Scene {
     this.ground.position.set((x.from + x.to) / 2, (y.from + y.to) / 2, -0.002 * reach);
   }
 
+  /** Returns the places of all bodies as they stand. */
+  places() {
+    const {poses, held, shift} = this;
+    return Array.from({length: poses.length / 7}, (_, body) => held.map(([a, b, c], k) => a * poses[7 * body] + b * poses[7 * body + 1] + c * poses[7 * body + 2] + shift[k]));
+  }
+
   fit({low, high} = this.boxOf(this.poses)) {
     const [x, y, z] = this.shift;
-    this.orbit.fit({low: [low[0] + x, low[1] + y, low[2] + z], high: [high[0] + x, high[1] + y, high[2] + z]}, SMALLEST * this.size);
+    this.orbit.fit({low: [low[0] + x, low[1] + y, low[2] + z], high: [high[0] + x, high[1] + y, high[2] + z], points: this.places()}, SMALLEST * this.size);
   }
 
   // ---- colours
@@ -404,11 +413,54 @@ export class Scene {
     this.pace = 0;
   }
 
-  /** Returns the view as a PNG. */
+  /** Returns the view as a PNG with two pixels per CSS pixel and a transparent background. Plain walls have the colours
+   *  of their materials. Lines show the outer sizes. */
   picture() {
+    const {pixels, palette} = this, rim = this.rim.value.clone(), {clientWidth: width, clientHeight: height} = this.canvas;
+    this.palette = {...palette, plate: new THREE.Color(HARD), soft: new THREE.Color(SOFT_PART)};
+    this.rim.value.set(HARD_EDGE);
+    this.paint();
+    this.setPixels(PICTURE_PIXELS);
     this.castShadow();
+    this.render("all");  // after a pass of shadows, three.js uploads new colours only in the second picture
     this.render("all");
-    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+    const copy = Object.assign(document.createElement("canvas"), {width: this.canvas.width, height: this.canvas.height}), context = copy.getContext("2d");
+    context.drawImage(this.canvas, 0, 0);
+    context.scale(copy.width / width, copy.height / height);
+    const place = (point) => {
+      const {x, y} = new THREE.Vector3(...point).project(this.camera);
+      return [0.5 * (1 + x) * width, 0.5 * (1 - y) * height];
+    };
+    drawSizes(context, this.outerBox(), place, {width, height});
+    this.palette = palette;
+    this.rim.value.copy(rim);
+    this.paint();
+    this.setPixels(pixels);
+    this.render("all");
+    return new Promise((resolve) => copy.toBlob(resolve, "image/png"));
+  }
+
+  /** Computes the box around all corners as they stand, mm. */
+  outerBox() {
+    const {position, body} = this.solid.geometry.attributes, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const {poses} = this, at = new THREE.Vector3(), turn = new THREE.Quaternion();
+    for (let k = 0; k < position.count; ++k) {
+      const first = 7 * body.getX(k);
+      turn.set(poses[first + 4], poses[first + 5], poses[first + 6], poses[first + 3]);
+      at.fromBufferAttribute(position, k).applyQuaternion(turn);
+      at.x += poses[first], at.y += poses[first + 1], at.z += poses[first + 2];
+      at.applyMatrix4(this.thing.matrix).toArray().forEach((v, axis) => {
+        low[axis] = Math.min(low[axis], v);
+        high[axis] = Math.max(high[axis], v);
+      });
+    }
+    return {low, high};
+  }
+
+  /** Sets whether the background is that of the page, for films, which have no transparency. */
+  setOpaque(on) {
+    this.renderer.setClearColor(cssColour("paper"), on ? 1 : 0);
+    this.redraw();
   }
 }
 

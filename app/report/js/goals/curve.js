@@ -36,37 +36,9 @@ function describeDeviation(data) {
       (most === null ? "." : `, ${millimetres(most)} at worst.`);
 }
 
-function curveVerdict(data) {
-  const {met, verified} = data.verdict;
-  const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
-      Boolean(data.physics.status);
-  if (met === false) {
-    const also = verified === false ? " " + describePhysics(data) : "";
-    const close = data.metrics.shape_rms <= data.tolerance.shape;
-    const title = close ? "Shape reached, but the design does not hold" : "Target missed";
-    return {mark: "\u2715", tone: "bad", title, text: (close ? describeDeviation(data) : missBy(data)) + also};
-  }
-  if (verified === false)
-    return {
-      mark: "!",
-      tone: "bad",
-      title: (met ? "Target met in the model, but the simulation " : "The simulation ") + failing(data),
-      text: describePhysics(data)
-    };
-  if (met === null)
-    return {
-      mark: "?",
-      tone: "unsure",
-      title: "No verdict recorded",
-      text: "This result does not state whether the target was met."
-    };
-  const title = verified ? "Target met, and the simulation agrees" : "Target met in the model";
-  return {
-    mark: "\u2713",
-    tone: verified ? "good" : "unsure",
-    title,
-    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
-  };
+function describeCurveResult(data) {
+  const isFar = data.verdict.met === false && !(data.metrics.shape_rms <= data.tolerance.shape);
+  return `${isFar ? missBy(data) : describeDeviation(data)} ${describeSimulation(data)}`;
 }
 
 function ofDiagonal(data, fraction) {
@@ -100,11 +72,11 @@ function errorRange(data) {
 }
 
 /** Labels the chart with the rms and its limit, as text: a line would mislead, because points may exceed the rms. */
-function rmsRemark(axes, data, labelLeft) {
-  const rms = lengthOf(data, data.metrics.shape_rms), allowed = lengthOf(data, data.tolerance.shape), {left, right, top} = axes.area;
+function rmsRemark(axes, data) {
+  const rms = lengthOf(data, data.metrics.shape_rms), allowed = lengthOf(data, data.tolerance.shape), {right, top} = axes.area;
   if (rms === null) return [];
   const text = `rms ${millimetres(rms)}` + (allowed === null ? "" : `; allowed ${millimetres(allowed)}`);
-  return [svg("text", {class: "remark", x: labelLeft ? left + 6 : right - 6, y: top + 14, "text-anchor": labelLeft ? "start" : "end"}, text)];
+  return [svg("text", {class: "remark", x: right, y: top - 3, "text-anchor": "end"}, text)];
 }
 
 function worstMark(axes, [arc, distance]) {
@@ -127,9 +99,9 @@ function drawError(data, width) {
     x: {range: [0, error[error.length - 1][0] || 1], label: "length along the target, mm"},
     y: {range, label: "distance from the target, mm"}
   });
-  const worst = worstError(error), labelLeft = axes.X(worst[0]) > (axes.area.left + axes.area.right) / 2;
+  const worst = worstError(error);
   axes.root.append(
-      ...rmsRemark(axes, data, labelLeft),
+      ...rmsRemark(axes, data),
       svg("path", {class: "goal-line", d: path([[axes.area.left, axes.Y(0)], [axes.area.right, axes.Y(0)]])}),
       svg("path", {class: "model", d: path(error.map(([arc, distance]) => [axes.X(arc), axes.Y(distance)]))}),
       worstMark(axes, worst));
@@ -270,7 +242,7 @@ const curveGoal = {
   name: "curve",
   read: (raw) => readCurve(dictionary(raw.curve), dictionary(raw.target)),
   view: "side",
-  verdict: curveVerdict,
+  describe: describeCurveResult,
   numbers: shapeNumbers,
   firstSections: [["folded", "Over the curve", foldedPicture]],
   lastSections: [

@@ -30,18 +30,10 @@ function describeReading(display, reading) {
       figures(reading.contrast, 3)}`;
 }
 
-function displayVerdict(data) {
-  const {goal: display, verdict: {met, verified}} = data;
+function describeDisplay(data) {
+  const {goal: display} = data;
   const model = `In the model: ${describeReading(display, display.after)}.`;
-  const run = display.physics ? ` In the simulation: ${describeReading(display, display.physics)}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The picture is not as clear as required", text: model + run};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: "The model shows the picture, but the simulation " + failing(data),
-            text: model + run};
-  const cells = describeRightSide(rightSide(display, display.physics ?? display.after)), shows = cells ? `The picture shows: ${cells}` : "The picture shows";
-  const title = verified ? `${shows}, and the simulation agrees` : `${shows}, in the model`;
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
-          text: model + (run || " It was not checked by a simulation.")};
+  return `${model} ${display.physics ? `In the simulation: ${describeReading(display, display.physics)}.` : describeSimulation(data)}`;
 }
 
 /** Counts the cells of a two-level picture that are on the correct side of the middle between letter and rest. */
@@ -266,7 +258,7 @@ const displayGoal = {
   name: "display",
   read: (raw) => raw.display && {...readDisplay(raw.display), under: list(dictionary(raw.target).rows).filter((row) => typeof row === "string")},
   view: "top",
-  verdict: displayVerdict,
+  describe: describeDisplay,
   numbers: displayNumbers,
   standing: litShot,
   firstSections: [["display", "What the panel shows", displaySection]],

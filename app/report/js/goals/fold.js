@@ -33,16 +33,11 @@ function describeFold(creases, key) {
   return `${count(known.length, "crease", "creases")} ${off} the required angle`;
 }
 
-function foldVerdict(data) {
-  const {goal: fold, metrics, verdict: {met, verified}} = data;
+function describeFoldResult(data) {
+  const {goal: fold, metrics} = data;
   const model = `In the model: ${describeFold(fold.creases, "model")}, faces ${percent(metrics.face_rms)} of their edge from the solid.`;
   const ran = finite(metrics.face_rms_physics) !== null;
-  const run = ran ? ` In the simulation: ${describeFold(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "It does not fold as required", text: model + run};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: "It folds in the model, but the simulation " + failing(data), text: model + run};
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? "It folds, and the simulation agrees" : "It folds in the model",
-          text: model + (run || " It was not checked by a simulation.")};
+  return `${model} ${ran ? `In the simulation: ${describeFold(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : describeSimulation(data)}`;
 }
 
 function creaseColour(angle) {
@@ -151,7 +146,7 @@ const foldGoal = {
   bottom: bottomCorners,
   read: (raw) => readFold(raw.fold),
   view: "slant",
-  verdict: foldVerdict,
+  describe: describeFoldResult,
   numbers: (data) => measures(data, [
     ["fold_miss_deg", "Crease error, largest", "degrees", "angle_deg"],
     ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges", "shape"],

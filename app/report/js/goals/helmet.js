@@ -33,17 +33,11 @@ function describeFit({rms_mm: rms, max_mm: most}) {
   return `${millimetres(rms)} rms, ${millimetres(most)} at worst`;
 }
 
-function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
-  const model = `Off head plus clearance by ${describeFit(helmet.error)}.`;
-  const near = helmet.covered === null ? "" : `, ${percent(helmet.covered)} of the head within a cell edge of a rib`;
-  const run = helmet.physics ? ` In the simulation: ${describeFit(helmet.physics)}.` : "";
-  const invented = helmet.invented ? ` But ${helmet.invented}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: `It does not fit as required${near}`, text: model + run + invented};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: `It fits in the model${near}, but the simulation ${failing(data)}`, text: model + run + invented};
-  const text = model + (run || " It was not checked by a simulation.") + invented;
-  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over a dome that closes a hole in the scan${near}`, text};
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the simulation agrees` : `It fits in the model${near}`, text};
+function describeHelmet(data) {
+  const {goal: helmet} = data;
+  const near = helmet.covered === null ? "" : ` ${percent(helmet.covered)} of the head are within a cell edge of a rib.`;
+  const run = helmet.physics ? `In the simulation: ${describeFit(helmet.physics)}.` : describeSimulation(data);
+  return `Off head plus clearance by ${describeFit(helmet.error)}.${near} ${run}${helmet.invented ? ` But ${helmet.invented}.` : ""}`;
 }
 
 /** Returns the corners of each cell, as rows of body indices. */
@@ -141,7 +135,7 @@ const helmetGoal = {
   place: (raw, states) => inHeadFrame(raw.helmet, states),
   view: "slant",
   backdropKey: ["head-key", "the head"],
-  verdict: helmetVerdict,
+  describe: describeHelmet,
   numbers: (data) => measures(data, [
     ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
     ["distance_max_mm", "Distance, largest", "mm, of the bodies from head plus clearance", "max_mm"],

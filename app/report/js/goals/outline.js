@@ -22,18 +22,10 @@ function describeOutline({diagonal}, error) {
   return `the boundary is ${length} off the outline, and they share ${percent(error.iou)} of their area`;
 }
 
-function outlineVerdict(data) {
-  const {goal: outline, verdict: {met, verified}} = data;
-  const model = `In the model ${describeOutline(outline, outline.exact)}.`;
-  const run = outline.physics ? ` In the simulation ${describeOutline(outline, outline.physics)}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "The pressed panel misses its outline", text: model + run};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: "It takes its outline in the model, but the simulation " + failing(data), text: model + run};
-  return {
-    mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The pressed panel takes its outline, and the simulation agrees" : "The pressed panel takes its outline in the model",
-    text: model + (run || " It was not checked by a simulation."),
-  };
+function describeOutlineResult(data) {
+  const {goal: outline} = data;
+  const run = outline.physics ? `In the simulation ${describeOutline(outline, outline.physics)}.` : describeSimulation(data);
+  return `In the model ${describeOutline(outline, outline.exact)}. ${run}`;
 }
 
 function outlineNumbers(data) {
@@ -69,7 +61,7 @@ const outlineGoal = {
   read: (raw) => readOutline(raw.outline),
   view: "top",
   backdropKey: ["head", "target outline"],
-  verdict: outlineVerdict,
+  describe: describeOutlineResult,
   numbers: outlineNumbers,
   firstSections: [["outline", "Boundary and outline", outlineSection]],
   lastSections: [],

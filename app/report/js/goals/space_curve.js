@@ -21,19 +21,10 @@ function describeOffset(data, rms) {
   return diagonal === null ? percent(rms) : `${millimetres(rms * diagonal)} (${percent(rms)} of the diagonal)`;
 }
 
-function spaceVerdict(data) {
-  const {goal: wanted, verdict: {met, verified}, metrics} = data;
-  const model = `In the model the middle of the strip lies ${describeOffset(data, metrics.shape_rms)} off the curve, rms.`;
-  const run = wanted.physics ? ` In the simulation ${describeOffset(data, wanted.physics.rms)}.` : "";
-  if (met === false)
-    return {mark: "\u2715", tone: "bad", title: wanted.meets ? "Walls collide before the strip reaches the curve" : "The strip misses its curve", text: model + run};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: "It takes its curve in the model, but the simulation " + failing(data), text: model + run};
-  return {
-    mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The strip takes its curve, and the simulation agrees" : "The strip takes its curve in the model",
-    text: model + (run || " It was not checked by a simulation."),
-  };
+function describeSpaceCurve(data) {
+  const {goal: wanted, metrics} = data, model = `In the model the middle of the strip lies ${describeOffset(data, metrics.shape_rms)} off the curve, rms.`;
+  const run = wanted.physics ? `In the simulation ${describeOffset(data, wanted.physics.rms)}.` : describeSimulation(data);
+  return `${model} ${run}${wanted.meets ? " Walls collide on the way to the curve." : ""}`;
 }
 
 function spaceNumbers(data) {
@@ -83,7 +74,7 @@ const space_curveGoal = {
   read: (raw) => readSpaceCurve(raw.space_curve),
   view: "slant",
   backdropKey: ["head", "target curve"],
-  verdict: spaceVerdict,
+  describe: describeSpaceCurve,
   numbers: spaceNumbers,
   firstSections: [["space-errors", "Strip and curve", stripAndCurveSection]],
   lastSections: [],

@@ -18,20 +18,12 @@ function readSurface(raw) {
   };
 }
 
-function surfaceVerdict(data) {
-  const {goal: surface, verdict: {met, verified}} = data;
+function describeSurfaceResult(data) {
+  const {goal: surface} = data;
   const off = surface.diagonal === null || surface.rms === null ? "" :
       `Its ${surface.ribs ? "bodies" : "vertices"} lie ${millimetres(surface.rms * surface.diagonal)} (${percent(surface.rms)} of the diagonal) off the surface.`;
-  const what = surface.ribs ? "The folded fishbone" : "The folded sheet";
-  const near = surface.covered === null ? "" : `, ${percent(surface.covered)} of it within a cell edge of a rib`;
-  if (met === false) return {mark: "\u2715", tone: "bad", title: `${what} misses its surface${near}`, text: off};
-  if (verified === false)
-    return {mark: "!", tone: "bad", title: `It takes its surface in the model${near}, but the simulation ${failing(data)}`, text: off};
-  return {
-    mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? `${what} takes its surface${near}, and the simulation agrees` : `${what} takes its surface${near}, in the model`,
-    text: off + (verified ? "" : " It was not checked by a simulation."),
-  };
+  const near = surface.covered === null ? "" : ` ${percent(surface.covered)} of it are within a cell edge of a rib.`;
+  return `${off}${near} ${describeSimulation(data)}`;
 }
 
 function surfaceNumbers(data) {
@@ -96,7 +88,7 @@ const surfaceGoal = {
   read: (raw) => readSurface(raw.surface),
   view: "slant",
   backdropKey: ["head", "target surface"],
-  verdict: surfaceVerdict,
+  describe: describeSurfaceResult,
   numbers: surfaceNumbers,
   firstSections: [["surface", "On its surface", surfaceSection]],
   lastSections: [],

@@ -152,34 +152,27 @@ export class GoalPanel {
     $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
   }
 
-  /** Lists objections of the verdict to a goal that is met. */
-  get faults() {
-    const {agrees, printable, reaches} = this.state.result.result?.verdict ?? {};
-    return [agrees === false && "the simulation disagrees", printable === false && "not printable",
-      reaches === false && "not reached by its drive"].filter(Boolean);
-  }
-
-  /** Describes the outcome of the search. */
-  get verdict() {
-    const {met, stopped, earlier} = this.state.result, but = this.faults.length ? `, but ${this.faults.join(", and ")}` : "";
-    if (earlier) return "Result of an earlier search: " + (met ? `goal met${but}` : met === false ? "goal missed" : "not known to meet its goal");
-    return met ? `Goal met${but}` : stopped ? "Stopped: best result so far" : "Goal missed: this is the nearest design";
+  /** Returns the console's title without the name of the design. */
+  get title() {
+    const {met, stopped, earlier, result: {name, summary}} = this.state.result, title = summary?.title ?? "computed";
+    const short = title.startsWith(`${name}: `) ? title.slice(name.length + 2) : title;
+    return `${earlier ? "result of an earlier search: " : stopped && !met ? "stopped, best result so far: " : ""}${short}`;
   }
 
   /** Marks the verdict as belonging to another design after a change of the design. */
   showWhose() {
     if (!this.state.result || this.state.design.has_result) return;
-    $("found_title").textContent = `Result of an earlier version: ${this.verdict}`;
+    $("found_title").textContent = `Result of an earlier version: ${this.title}`;
     $("found_title").className = "";
   }
 
   showResult() {
-    const {met, summary, details} = this.state.result;
+    const {met, summary, details, result} = this.state.result, {title} = this, isGood = met && !Object.values(result.verdict ?? {}).includes(false);
     this.foundKind = this.kind;
     show($("found"), true);
-    $("found_title").textContent = this.verdict;
-    $("found_title").className = met && !this.faults.length ? "good" : "bad";
-    $("found_text").replaceChildren(...summaryRows(summary ?? ""),
+    $("found_title").textContent = title.charAt(0).toUpperCase() + title.slice(1);
+    $("found_title").className = isGood ? "good" : "bad";
+    $("found_text").replaceChildren(...summaryRows(summary ?? "").slice(1),
       ...(details ? [element("details", {}, element("summary", {}, "Details"), ...summaryRows(details))] : []));
     status($("found_title").textContent);
   }

@@ -1,6 +1,6 @@
 // Main script of the studio's page.
 import {exactMotion} from "../fold.js";
-import {canRecord, record, saveAs} from "../recording.js";
+import {canRecord, listenForFilm, saveAs} from "../recording.js";
 import {Scene} from "../scene.js";
 import {decoded} from "../solids.js";
 import {BodiesPanel} from "./bodies_panel.js";
@@ -214,15 +214,8 @@ $("fit").addEventListener("click", () => scene.fit());
 $("full").addEventListener("click", () => (document.fullscreenElement ? document.exitFullscreen() : $("stage").requestFullscreen?.()));
 $("photo").addEventListener("click", async () => saveAs(await scene.picture(), `${state.design?.name ?? "kinetix"}.png`));
 
-let film = null;
 show($("film"), canRecord($("scene")));
-$("film").addEventListener("click", async () => {
-  const running = film;
-  film = running ? null : record($("scene"));
-  $("film").textContent = running ? "Film" : "Stop film";
-  $("film").setAttribute("aria-pressed", String(!running));
-  if (running) saveAs(await running(), `${state.design?.name ?? "kinetix"}.webm`);
-});
+listenForFilm($("film"), () => scene, () => state.design?.name ?? "kinetix", showMessage);
 
 function shortcut(event) {
   const key = event.key.toLowerCase();
