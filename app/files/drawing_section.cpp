@@ -9,7 +9,9 @@ namespace value = targets::value;
 constexpr targets::Word<double> drawing_units[] = {
     {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"ft", 304.8}, {"pt", 25.4 / 72}, {"px", 25.4 / 96}};
 
+// Ratio: from a drawing in micrometres to one in kilometres.
 const targets::Bounds scales = targets::from_to(1e-6, 1e6);
+// mm: from rounding to the longest wall.
 const targets::Bounds joins = targets::from_to(1e-6, 1000, "mm");
 
 }  // namespace

@@ -21,8 +21,8 @@ ChordPoints bezier_chords(const ChordPoints& control);
 /// counter-clockwise
 ChordPoints bulge_chords(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double bulge);
 
-/// Returns points of an elliptical arc of an SVG path, by the rules of
-/// https://www.w3.org/TR/SVG11/implnote.html#ArcImplementationNotes
+/// Returns points of an elliptical arc of an SVG path. The rules are those of
+/// https://www.w3.org/TR/SVG11/implnote.html#ArcImplementationNotes.
 /// @param radii of the ellipse   @param tilt rad, of its first axis
 ChordPoints svg_arc_chords(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Eigen::Vector2d radii,
                            double tilt, bool is_large, bool is_clockwise);

@@ -43,7 +43,7 @@ Drawing parse_svg(const std::string& text);
 /// Unit and joining of a drawing, as a document gives them.
 struct DrawingSettings {
   std::optional<double> unit_mm = {};  ///< of the drawing's numbers, instead of the file's
-  double scale = 1;                    ///< factor of all lengths
+  double scale = 1;                    ///< ratio of the sheet to the drawing
   std::optional<double> join_mm = {};  ///< distance in which ends are joined
 };
 

@@ -209,7 +209,7 @@ class DxfReader {
     if (!contents_.unit) return;
     const int number = contents_.unit->integer();
     if (number < 1 || number > static_cast<int>(std::size(dxf_units))) {
-      out_.unit_source = "$INSUNITS is " + std::to_string(number) + ", which is no unit";
+      out_.unit_source = "$INSUNITS is " + std::to_string(number) + ", which has no unit";
       return;
     }
     out_.unit_mm = dxf_units[number - 1].mm;

@@ -6,7 +6,7 @@ namespace kinetix::targets {
 
 /// Two places of a planar graph that are near each other and not joined.
 struct NearMiss {
-  Eigen::Vector2d place, other;
+  Eigen::Vector2d place, other;  ///< in the unit of the lines
 
   double gap() const { return (other - place).norm(); }
 };
@@ -15,7 +15,7 @@ struct NearMiss {
 struct JoinedLines {
   model::PlanarGraph graph;  ///< its edges meet at vertices only
   std::vector<int> line_of;  ///< for each edge the last of the lines that cover it
-  double join = 0;           ///< distance in which places were joined
+  double join = 0;           ///< distance in which places were joined, in the unit of the lines
 };
 
 /// Share of the median wall in which ends are joined by default. Half of the length of all walls is in walls that are at
@@ -24,7 +24,7 @@ inline constexpr double default_join = 2e-3;
 
 /// Makes a planar graph of lines. Ends within `join` become one vertex. Lines are split where others end on them or
 /// cross them, and lines that overlap are merged.
-/// @param join in the unit of the lines, > 0; empty: the default share of the median wall
+/// @param join in the unit of the lines, > 0; empty: the default share of the median wall.
 /// @throws InvalidInput without a place for lines without length, and for more walls than a lattice may have
 JoinedLines join_lines(const std::vector<DrawnLine>& lines, std::optional<double> join = {});
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <pugixml.hpp>
 
 #include "model/base/invalid_input.hpp"
 #include "targets/drawing/svg_scanner.hpp"
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Affine2d;
 using Eigen::Vector2d;
 
-constexpr double inch_mm = 25.4;
+constexpr double inch_mm = 25.4;  // mm, by its definition
 
 /// Pixels per inch of the program that wrote a file.
 struct PixelSize {
@@ -88,7 +89,7 @@ constexpr const char* sides_text = "width and height";
 std::string reason_without_unit(const PageSide& width, const PageSide& height) {
   if (width.text.empty() && height.text.empty()) return fmt::format("the file has no {}", sides_text);
   if (width.user_units > 0 || height.user_units > 0) return fmt::format("{} have no unit", sides_text);
-  return fmt::format("{} are no lengths", sides_text);
+  return fmt::format("{} are not lengths", sides_text);
 }
 
 }  // namespace

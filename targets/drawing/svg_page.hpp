@@ -2,8 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <optional>
-#include <pugixml.hpp>
 #include <string>
+
+namespace pugi {
+class xml_document;
+class xml_node;
+}  // namespace pugi
 
 namespace kinetix::targets {
 

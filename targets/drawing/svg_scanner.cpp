@@ -15,7 +15,7 @@ namespace {
 using Eigen::Affine2d;
 using Eigen::Vector2d;
 
-constexpr double inch = 96;  // user units
+constexpr double inch = 96;  // user units, by the definition of CSS
 
 bool is_svg_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <pugixml.hpp>
 
 #include "targets/document/wording.hpp"
 #include "targets/drawing/svg_scanner.hpp"

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <map>
-#include <pugixml.hpp>
 #include <string>
 #include <string_view>
+
+namespace pugi {
+class xml_node;
+}  // namespace pugi
 
 namespace kinetix::targets {
 

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using testing::refusal;
 using testing::svg_file;
 
-constexpr double inch_mm = 25.4;
+constexpr double mm_per_inch = 25.4;  // mm, by its definition
 
 TEST(SvgDrawing, HasTheLinesOfItsElementsYUpwards) {
   expect_lines(parse_svg(svg_file("<line x1='1' y1='2' x2='3' y2='4'/>")), {{1, -2, 3, -4}});
@@ -129,19 +129,20 @@ TEST(SvgDrawing, TakesItsUnitFromItsSizeAndViewBox) {
   EXPECT_NEAR(unit_of_svg("width='72pt' viewBox='0 0 254 100'"), 0.1, 1e-12);
   EXPECT_NEAR(unit_of_svg("width='6pc' viewBox='0 0 254 100'"), 0.1, 1e-12);
   EXPECT_NEAR(unit_of_svg("width='101.6Q' viewBox='0 0 254 100'"), 0.1, 1e-12);
-  EXPECT_NEAR(unit_of_svg("width='50mm' height='40mm'"), inch_mm / 96, 1e-12) << "user units are px";
-  EXPECT_NEAR(unit_of_svg("width='100px' height='80px'" + box), inch_mm / 96, 1e-12);
-  EXPECT_NEAR(unit_of_svg("width='200px' height='160px'" + box), 2 * inch_mm / 96, 1e-12);
+  EXPECT_NEAR(unit_of_svg("width='50mm' height='40mm'"), mm_per_inch / 96, 1e-12) << "user units are px";
+  EXPECT_NEAR(unit_of_svg("width='100px' height='80px'" + box), mm_per_inch / 96, 1e-12);
+  EXPECT_NEAR(unit_of_svg("width='200px' height='160px'" + box), 2 * mm_per_inch / 96, 1e-12);
   EXPECT_NEAR(unit_of_svg("width='100mm' height='100mm' viewBox='0 0 100 50'"), 1, 1e-12) << "not stretched";
 }
 
 TEST(SvgDrawing, HasThePixelsOfTheProgramThatWroteIt) {
   const std::string comment = "<!-- Generator: Adobe Illustrator 16.0.3, SVG Export Plug-In -->";
-  EXPECT_NEAR(unit_of_svg("width='100px' height='80px' viewBox='0 0 100 80'", comment), inch_mm / 72, 1e-12);
-  EXPECT_NEAR(unit_of_svg("viewBox='0 0 100 80'", comment), inch_mm / 72, 1e-12);
-  EXPECT_NEAR(unit_of_svg("x='0px' y='0px' viewBox='0 0 100 80'"), inch_mm / 72, 1e-12);
-  EXPECT_NEAR(unit_of_svg("width='100' inkscape:version='0.48.4 r9939'"), inch_mm / 90, 1e-12);
-  EXPECT_NEAR(unit_of_svg("width='100' inkscape:version='1.2.2'"), inch_mm / 96, 1e-12);
+  EXPECT_NEAR(unit_of_svg("width='100px' height='80px' viewBox='0 0 100 80'", comment), mm_per_inch / 72,
+              1e-12);
+  EXPECT_NEAR(unit_of_svg("viewBox='0 0 100 80'", comment), mm_per_inch / 72, 1e-12);
+  EXPECT_NEAR(unit_of_svg("x='0px' y='0px' viewBox='0 0 100 80'"), mm_per_inch / 72, 1e-12);
+  EXPECT_NEAR(unit_of_svg("width='100' inkscape:version='0.48.4 r9939'"), mm_per_inch / 90, 1e-12);
+  EXPECT_NEAR(unit_of_svg("width='100' inkscape:version='1.2.2'"), mm_per_inch / 96, 1e-12);
   EXPECT_NEAR(unit_of_svg("width='100mm' viewBox='0 0 100 80' inkscape:version='0.48'"), 1, 1e-12);
 }
 
@@ -151,7 +152,7 @@ TEST(SvgDrawing, HasNoUnitIfItsSizeHasNone) {
         "width='100%' height='100%' viewBox='0 0 100 80'", "width='10em' viewBox='0 0 10 10'",
         "width='0mm' viewBox='0 0 10 10'"})
     EXPECT_EQ(unit_of_svg(attributes), 0) << attributes;
-  EXPECT_THAT(parse_svg("<svg width='100%' height='100%'/>").unit_source, HasSubstr("are no lengths"));
+  EXPECT_THAT(parse_svg("<svg width='100%' height='100%'/>").unit_source, HasSubstr("are not lengths"));
 }
 
 TEST(SvgDrawing, StretchesIfItsSizeRequestsIt) {
