@@ -114,8 +114,8 @@ class DrawingExaminer {
     for (const DrawnLine& other : out_.lines)
       if (other.curve == line.curve) out_.marks.push_back(other.from);
     return refuse(
-        InvalidInput(fmt::format("the curve {} near {} is not a wall. Draw straight walls, or delete it",
-                                 drawing.curves[line.curve], place_words(line.from)),
+        InvalidInput(fmt::format("the curve near {} ({}) is not a wall. Draw straight walls, or delete it",
+                                 place_words(line.from), drawing.curves[line.curve]),
                      {file_, line.line, 1}));
   }
 

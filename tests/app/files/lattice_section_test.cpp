@@ -343,8 +343,9 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
 
 TEST(LatticeSection, TakesUnitScaleAndJoiningOfADrawing) {
   const TemporaryFolder folder;
-  const std::string plain =
-      "0\nSECTION\n2\nENTITIES\n" + line(0, 0, 1, 0) + line(1.01, 0, 2, 0) + "0\nENDSEC\n0\nEOF\n";
+  // A square whose second wall begins beyond the end of the first.
+  const std::string plain = "0\nSECTION\n2\nENTITIES\n" + line(0, 0, 1, 0) + line(1, 0.01, 1, 1) +
+                            line(1, 1, 0, 1) + line(0, 1, 0, 0) + "0\nENDSEC\n0\nEOF\n";
   folder.write("plain.dxf", plain);
   const auto read = [&](const std::string& keys) {
     return read_design(folder.write("sheet.yaml", structure("lattice: graph, drawing: plain.dxf" + keys)))
@@ -353,8 +354,8 @@ TEST(LatticeSection, TakesUnitScaleAndJoiningOfADrawing) {
   EXPECT_THAT(refusal([&] { read(""); }), HasSubstr("structure.drawing: the drawing has no unit"));
   EXPECT_THAT(refusal([&] { read(", unit: in"); }), HasSubstr("Set structure.join_mm: 0.28"));
   const model::Lattice sheet = read(", unit: in, scale: 2, join_mm: 1");
-  EXPECT_EQ(sheet.bodies(), 3);
-  EXPECT_NEAR(sheet.rest_position(2).x(), 4 * 25.4, 1e-9);
+  EXPECT_EQ(sheet.bodies(), 4);
+  EXPECT_NEAR(sheet.rest_position(1).x() - sheet.rest_position(0).x(), 2 * 25.4, 1e-9);
   EXPECT_THAT(refusal([&] { read(", unit: furlong"); }), HasSubstr("structure.unit"));
   EXPECT_THAT(refusal([&] { read(", join_mm: 0"); }), HasSubstr("structure.join_mm"));
 }
@@ -377,9 +378,9 @@ TEST(LatticeSection, NamesTheDrawingThatItCannotRead) {
   folder.write("circle.svg", "<svg width='9mm' viewBox='0 0 9 9'><circle r='5'/></svg>");
   folder.write("curved.svg", "<svg width='9mm' viewBox='0 0 9 9'><path d='M0 0 Q1 1 2 0'/></svg>");
   const std::pair<BadInput, std::string> cases[] = {
-      {{"arc.dxf", 16, 1, "", {"the curve ARC", "not a wall. Draw straight walls"}}, "arc.dxf"},
-      {{"circle.svg", 1, 1, "", {"the curve circle near (5, 0) mm"}}, "circle.svg"},
-      {{"curved.svg", 1, 1, "", {"the curve curved path"}}, "curved.svg"},
+      {{"arc.dxf", 16, 1, "", {"(ARC) is not a wall. Draw straight walls"}}, "arc.dxf"},
+      {{"circle.svg", 1, 1, "", {"the curve near (5, 0) mm (circle)"}}, "circle.svg"},
+      {{"curved.svg", 1, 1, "", {"(curved path)"}}, "curved.svg"},
       {{"nothing.dxf", 0, 0, "", {"no such file"}}, "nothing.dxf"},
   };
   for (const auto& [bad, name] : cases) {

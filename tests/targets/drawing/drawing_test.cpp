@@ -169,11 +169,11 @@ TEST(ReadDrawing, QuestionsUnusualSizes) {
 TEST(ReadDrawing, NamesTheLineOfCurves) {
   EXPECT_THAT(refusal_of("panel.dxf", dxf_file("0\nARC\n10\n0\n20\n0\n40\n5\n", dxf_unit(4))),
               AllOf(HasSubstr("panel.dxf:16:1"),
-                    HasSubstr("the curve ARC near (5, 0) mm is not a wall. Draw straight")));
+                    HasSubstr("the curve near (5, 0) mm (ARC) is not a wall. Draw straight")));
   const DrawnWalls walls =
       examine("panel.svg", svg_file("<path d='M0 0H9'/>\n<circle cx='9' cy='9' r='5'/>"));
   ASSERT_TRUE(walls.fault);
-  EXPECT_THAT(walls.fault->what(), AllOf(HasSubstr("panel.svg:3:1"), HasSubstr("the curve circle")));
+  EXPECT_THAT(walls.fault->what(), AllOf(HasSubstr("panel.svg:3:1"), HasSubstr("(circle) is not a wall")));
   EXPECT_GT(walls.marks.size(), 3u);
 }
 
