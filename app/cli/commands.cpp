@@ -11,7 +11,12 @@
 
 #include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
+#include "app/files/drawing_section.hpp"
+#include "app/files/lattice_section.hpp"
 #include "app/goals/registry.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/pictures/drawing_picture.hpp"
+#include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/pipeline.hpp"
@@ -287,9 +292,45 @@ int simulate_command(const CommandOptions& options) {
   return run_design_command(options, model, "_" + options.model);
 }
 
+namespace {
+
+/// Writes the picture of `check --picture`: the lines of a drawing, or the flat sheet of another file. Nothing is written
+/// if a file without a drawing was refused.
+void write_check_picture(const CommandOptions& options, const std::optional<Forecast>& forecast) {
+  if (options.picture.empty()) return;
+  if (const auto drawn = find_drawn_structure(document_of(options))) {
+    const targets::DrawnWalls walls = examine_drawn_structure(*drawn);
+    std::error_code missing;  // set if the picture does not exist yet
+    if (std::filesystem::equivalent(options.picture, walls.file, missing))
+      throw InvalidInput("--picture would replace the drawing. Give another file", {options.picture});
+    return write_file(options.picture, drawing_picture(walls));
+  }
+  if (!forecast)
+    throw InvalidInput("--picture draws sheets, and this file has none. Remove the option", {options.file});
+  const model::Linkage sheet = forecast->sheet;
+  write_file(options.picture, panel_picture(sheet, rest_state(sheet), {}));
+}
+
+CheckedFile check_and_draw(const CommandOptions& options, const Progress& progress) {
+  try {
+    CheckedFile checked = check_file(options.file, options.changes, progress);
+    write_check_picture(options, checked.forecast);
+    return checked;
+  } catch (const InvalidInput& fault) {
+    try {
+      write_check_picture(options, {});
+    } catch (const InvalidInput&) {
+      // The file cannot be drawn, and its fault is the answer.
+    }
+    throw InvalidInput(fault);
+  }
+}
+
+}  // namespace
+
 int check_command(const CommandOptions& options) {
   Console console(options.quiet);
-  const CheckedFile checked = check_file(options.file, options.changes, console.progress());
+  const CheckedFile checked = check_and_draw(options, console.progress());
   if (options.json)
     std::cout << checked.json().dump(1) << "\n";
   else
@@ -389,6 +430,16 @@ std::optional<CheckedContact> contact_of(const Design& design) {
   return CheckedContact{certify(design.structure, wall_error(design)), exact_theta_of(design, exact)};
 }
 
+/// Returns the size of the drawing that a design names; empty for other designs.
+std::optional<CheckedDrawing> drawing_of(const targets::Node& root) {
+  const auto drawn = find_drawn_structure(root);
+  if (!drawn) return std::nullopt;
+  const targets::DrawnWalls walls = examine_drawn_structure(*drawn);
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& vertex : walls.graph.vertices) box.extend(vertex);
+  return CheckedDrawing{box.sizes(), walls.unit};
+}
+
 /// Reports how long the check of a large sheet takes. @throws InvalidInput if it takes more memory than is free
 void announce_check(const std::string& file, const model::Lattice& sheet, const Progress& progress) {
   const double seconds = check_seconds_per_body * sheet.bodies(),
@@ -407,8 +458,13 @@ void announce_check(const std::string& file, const model::Lattice& sheet, const 
 
 }  // namespace
 
+std::string CheckedDrawing::text() const {
+  return fmt::format("{:.4g} x {:.4g} mm; {}", size_mm.x(), size_mm.y(), unit);
+}
+
 std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
+  if (drawing) out += line("drawing", drawing->text());
   if (forecast) out += text_of(*forecast, kind == "design" ? of_motion : "");
   if (contact)
     for (const auto& [label, words] :
@@ -431,6 +487,7 @@ ShortForm CheckedFile::short_form() const {
     if (forecast->folded_mm) out.lines[1][1] += "; folded about " + size_text(*forecast->folded_mm);
     for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
   }
+  if (drawing) out.lines.push_back({"drawing", drawing->text()});
   if (contact)
     out.lines.push_back(
         certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same)
@@ -442,6 +499,8 @@ ShortForm CheckedFile::short_form() const {
 nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
+  if (drawing)
+    out["drawing"] = {{"size_mm", {drawing->size_mm.x(), drawing->size_mm.y()}}, {"unit", drawing->unit}};
   if (contact)
     out["certified"] =
         certified_json(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same);
@@ -467,6 +526,7 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
   if (design.structure.assembly()) return {file, "design", design.name};
   announce_check(file, design.structure, progress);
   CheckedFile out{.file = file, .kind = "design", .name = design.name, .forecast = forecast_design(design)};
+  out.drawing = drawing_of(root);
   if (design.structure.bodies() <= max_bodies_for_contact)
     out.contact = contact_of(design);
   else

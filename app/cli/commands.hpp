@@ -13,13 +13,22 @@ int optimise_command(const CommandOptions& options);
 int verify_command(const CommandOptions& options);
 /// Runs `kinetix-opt simulate DESIGN.yaml`: computes one folded state.
 int simulate_command(const CommandOptions& options);
-/// Runs `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep. Writes nothing.
+/// Runs `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep. Writes nothing but the picture of
+/// --picture, also of a drawing that is refused.
 int check_command(const CommandOptions& options);
 
 /// Collision-free range of a design's closed-form motion, computed without a simulation.
 struct CheckedContact {
   ProvenRanges certified;
   double theta = 0;  ///< rad, fold that the drive reaches
+};
+
+/// Size of a drawing as it was read.
+struct CheckedDrawing {
+  Eigen::Vector2d size_mm;
+  std::string unit;  ///< of its numbers, and where it is from
+
+  std::string text() const;
 };
 
 /// Result of `check` for a valid file.
@@ -30,6 +39,7 @@ struct CheckedFile {
   std::optional<Forecast> forecast = {};       ///< none for sweeps and for designs of bodies
   double samples = 0;                          ///< number of samples of a sweep
   std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
+  std::optional<CheckedDrawing> drawing = {};  ///< only for sheets that are drawn
 
   std::string text() const;  ///< long form
   ShortForm short_form() const;

@@ -24,7 +24,7 @@ _kinetix_opt() {
     verify) options="$common --process --hinge --bed --lock -o --open --fidelity" ;;
     simulate) options="$common --process --hinge --bed --lock -o --open --model --fold-angle-deg --drives --time-limit" ;;
     sweep) options="$common --process --hinge --bed --lock -o --open --resume --share" ;;
-    check) options="$common --process --hinge --bed --lock" ;;
+    check) options="$common --process --hinge --bed --lock --picture" ;;
     export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --lock --loose-rods --round-caps --orient --slicer --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
     view) options="$common --process --hinge --bed --lock --no-open --port" ;;

@@ -295,6 +295,11 @@ void add_options(CLI::App& app, CommandLine& line) {
                     : "a design, or the folder of a result");
     add_common(command, line.options);
     add_replacements(command, line.options);
+    if (checks)
+      command
+          .add_option("--picture", line.options.picture,
+                      "SVG file that shows what was understood, with the fault marked in a refused drawing")
+          ->type_name("OUT.svg");
     if (checks) continue;
     add_output(command, line.options, results_folder);
     add_open(command, line.options);

@@ -122,6 +122,7 @@ struct CommandOptions {
   bool theta_given = false;
   bool drives = false;  ///< of simulate: compares several drives instead of using the design's
   bool resume = false;  ///< of sweep
+  std::string picture;  ///< of check: SVG file of what was understood; empty: none
 
   /// Returns the folder for results. @param suffix keeps results of one command from replacing another's
   std::string folder_of(const std::string& name, const std::string& suffix = "") const {

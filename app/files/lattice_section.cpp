@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <filesystem>
 
+#include "app/files/drawing_section.hpp"
 #include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_boundary.hpp"
 #include "model/lattice/planar/regular_lattices.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/drawing/drawing.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -27,6 +27,7 @@ const targets::Bounds gussets = targets::from_to(0.02, 0.9);
 constexpr int max_cells_in_space = 14;  // per direction: 14^3 cells have some 100 000 bodies
 constexpr double slender = 0.1;         // of an edge: rotors pass each other up to heights of a fifth
 constexpr const char* slender_walls = "for `sodalite` a tenth of `cell_mm`";  // `slender` in words
+constexpr const char* wanted_drawing = "path of a DXF or SVG file";
 constexpr const char* rims[] = {"open", "closed"};
 // Degrees of a rhombus: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
@@ -114,13 +115,23 @@ double mean_length(const model::PlanarGraph& graph) {
   return sum / static_cast<double>(std::max<std::size_t>(1, graph.edges.size()));
 }
 
+/// Reads the walls of a drawing or of a list, mm, connected and without crossings.
+model::PlanarGraph read_valid_walls(const targets::Section& structure) {
+  if (!structure.knows("drawing")) {
+    model::PlanarGraph graph = read_walls(structure);
+    structure.node().located([&] { validate(graph); });
+    return graph;
+  }
+  targets::DrawnWalls walls = examine_drawn_structure(structure);
+  if (walls.fault) throw InvalidInput(*walls.fault);
+  structure.required("drawing", wanted_drawing).located([&] { validate(walls.graph); });
+  return std::move(walls.graph);
+}
+
 model::Lattice read_graph(const targets::Section& structure) {
-  const auto drawing = structure.knows("drawing")
-                           ? std::optional(structure.required("drawing", "path of a DXF or SVG file"))
-                           : std::nullopt;
-  const targets::Node place = drawing ? *drawing : structure.node();
-  model::PlanarGraph graph = drawing ? targets::read_drawing(*drawing) : read_walls(structure);
-  place.located([&] { validate(graph); });
+  const targets::Node place =
+      structure.knows("drawing") ? structure.required("drawing", wanted_drawing) : structure.node();
+  model::PlanarGraph graph = read_valid_walls(structure);
   if (read_boundary(structure, false)) graph = closed_boundary(std::move(graph));
   const model::CellSize size = read_size(structure, mean_length(graph));
   for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
@@ -280,15 +291,13 @@ const targets::KeyTable& block_keys() {
   return keys;
 }
 
-const targets::KeyTable& drawing_keys() {
-  static const targets::KeyTable keys({
-      lattice_key({by_hand}, targets::needed),
-      {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
-       "for `graph`: drawing whose lines are the walls, in mm"},
-      boundary_key(),
-      drawn_cell_mm_key(),
-      wall_mm_key(),
-  });
+const targets::KeyTable& drawn_keys() {
+  static const targets::KeyTable keys([] {
+    std::vector<targets::Key> all = {lattice_key({by_hand}, targets::needed)};
+    for (const targets::Key& key : drawing_keys()) all.push_back(key);
+    for (const targets::Key& key : {boundary_key(), drawn_cell_mm_key(), wall_mm_key()}) all.push_back(key);
+    return all;
+  }());
   return keys;
 }
 
@@ -366,7 +375,7 @@ model::Lattice make_sheet(const LatticeChoice& choice, const std::vector<model::
 
 targets::Key lattice_structure_key() {
   return {"structure",
-          value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
+          value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawn_keys()),
                          value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
           targets::needed,
           "flat sheet: squares, another regular lattice, a drawing, a crease pattern, a list of walls, or a "
@@ -382,7 +391,14 @@ model::Lattice read_sheet(const targets::Node& structure) {
   if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
   if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()));
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
-  return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
+  return read_graph(targets::Section(structure, is_drawn ? drawn_keys() : graph_keys()));
+}
+
+std::optional<targets::Section> find_drawn_structure(const targets::Node& root) {
+  const auto structure = root.optional("structure");
+  if (!structure || structure->kind() != targets::Node::Kind::map || !structure->optional("drawing"))
+    return std::nullopt;
+  return targets::Section(structure, drawn_keys());
 }
 
 std::string structure_text(const model::Lattice& sheet) {

@@ -13,6 +13,9 @@ targets::Key lattice_structure_key();
 /// crossing walls or with a loop of an odd number of them, and a key that the lattice does not take.
 model::Lattice read_sheet(const targets::Node& structure);
 
+/// Returns the structure of a file whose walls are drawn; empty for other files.
+std::optional<targets::Section> find_drawn_structure(const targets::Node& root);
+
 /// Returns the section's text, from which read_sheet draws the same sheet.
 std::string structure_text(const model::Lattice& sheet);
 

@@ -5,38 +5,64 @@
 
 namespace kinetix::targets {
 
-/// A straight line of a drawing from one point to the other, mm, y upwards.
-using DrawnLine = std::array<Eigen::Vector2d, 2>;
+/// A straight line of a drawing, y upwards, in the unit of the drawing's numbers.
+struct DrawnLine {
+  Eigen::Vector2d from, to;
+  int line = 0;    ///< of the file, from 1; 0: not known
+  int colour = 0;  ///< of its stroke, 0xRRGGBB; black if the file has none
+  int curve = -1;  ///< index in Drawing::curves for a chord; -1 for a straight line
+};
 
-/// Straight lines as a drawing has them: ends that belong together are near each other, not the same numbers,
-/// and lines may be drawn twice.
-using Drawing = std::vector<DrawnLine>;
+/// Visible lines of a drawing. Curves are replaced by chords. Blocks, symbols and transforms are applied.
+struct Drawing {
+  std::vector<DrawnLine> lines;
+  std::vector<std::string> curves;  ///< names of the curved elements, such as "circle"
+  std::optional<double> unit_mm;    ///< of the numbers; empty if the file does not determine it
+  std::string unit_source;          ///< part of the file that gives the unit, or the reason why there is none
+};
 
 /// Largest drawing, bytes (64 MiB): CAD programs are wordy.
 inline constexpr std::size_t max_drawing_bytes = 64 << 20;
 /// Most lines of a drawing: as many as the walls of the largest lattice that is read.
 inline constexpr std::size_t max_drawn_lines = 1'000'000;
 
-/// Reads the LINE, LWPOLYLINE and POLYLINE entities of a DXF file, in its unit ($INSUNITS; mm if it names none).
-/// Entities on the paper of a layout, such as its frame, are not part of the drawing.
-/// @throws InvalidInput without a place for curves (arcs, circles, splines, bulges), inserted blocks, and polylines
-/// seen from below. Units that are not lengths, lines without a coordinate, and a file that is cut off also throw.
+/// Reads the visible lines and curves of a DXF file in its model space: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE,
+/// ELLIPSE, SPLINE, 3DFACE, and INSERT of blocks of them. Layers that are off or frozen are left out. The unit is that
+/// of $INSUNITS.
+/// @throws InvalidInput with a line for missing blocks, lines that are not flat, meshes, and incomplete entities. Files
+/// that are cut off also throw.
 Drawing parse_dxf(const std::string& text);
 
-/// Reads the line, polyline, polygon, rect and path elements of an SVG file, with their transforms. A user unit is
-/// width / viewBox if the file gives it in mm, cm or inches, else a pixel of 1/96 inch. Hidden layers and elements
-/// (display: none) are left out.
-/// @throws InvalidInput without a place for anything but an SVG file, and for curves (circle, ellipse, round corners,
-/// curved path commands). Unreadable numbers and units, an svg within the svg, and endlessly nested groups also throw.
+/// Reads the visible lines and curves of an SVG file: line, polyline, polygon, rect, circle, ellipse, path, and use of
+/// them. Style sheets, transforms and nested svg elements are applied.
+/// The unit follows from width, height and viewBox if they have a unit. A px is 1/96 inch, in files of Illustrator
+/// 1/72 inch, and in files of Inkscape before 0.92 1/90 inch.
+/// @throws InvalidInput with a line for unreadable numbers, units and transforms, and for endlessly nested elements
 Drawing parse_svg(const std::string& text);
 
-/// Finds the walls of a drawing. Line ends within a thousandth of the mean line length are one vertex, and lines drawn
-/// twice are one wall. Vertices that near to the outermost line of a side are moved onto it. Vertices are numbered
-/// from below, and from the left in a row; mm.
-model::PlanarGraph walls_of(const Drawing& drawing);
+/// Unit and joining of a drawing, as a document gives them.
+struct DrawingSettings {
+  std::optional<double> unit_mm = {};  ///< of the drawing's numbers, instead of the file's
+  double scale = 1;                    ///< ratio of the sheet to the drawing
+  std::optional<double> join_mm = {};  ///< distance in which ends are joined
+};
 
-/// Reads the drawing that a document names, relative to its folder: a .dxf or .svg file. @throws InvalidInput at the
-/// document's place for another ending, and naming the file for what cannot be read or has no lines
-model::PlanarGraph read_drawing(const Node& path);
+/// Walls that were understood from a drawing. A drawing that is refused has what was understood up to the fault.
+struct DrawnWalls {
+  std::string file;                    ///< path of the drawing
+  std::vector<DrawnLine> lines;        ///< mm, or the drawing's numbers if `unit` is empty
+  model::PlanarGraph graph;            ///< walls, mm; vertices from below, and from the left in a row
+  std::string unit;                    ///< unit of the drawing's numbers and its source
+  std::optional<InvalidInput> fault;   ///< reason to refuse the drawing
+  std::vector<Eigen::Vector2d> marks;  ///< places of the fault, in the unit of `lines`
+};
+
+/// Reads the walls of the DXF or SVG file that a document names, relative to its folder.
+/// @throws InvalidInput at the document's place for another ending, and naming the file if it cannot be read. Other
+/// faults are returned with what was understood.
+DrawnWalls examine_drawing(const Node& path, const DrawingSettings& settings);
+
+/// Reads walls as examine_drawing(). @throws InvalidInput for its fault
+DrawnWalls read_drawing(const Node& path, const DrawingSettings& settings = {});
 
 }  // namespace kinetix::targets

@@ -1,202 +1,231 @@
-#include <cmath>
+#include <Eigen/Geometry>
 #include <map>
 #include <set>
 
-#include "model/base/invalid_input.hpp"
-#include "targets/document/number.hpp"
+#include "model/base/geometry.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"
+#include "targets/drawing/dxf_shapes.hpp"
 
 namespace kinetix::targets {
 namespace {
 
+using Eigen::Affine2d;
 using Eigen::Vector2d;
 
-/// A pair of lines of a text DXF: a group code that says what the value is.
-struct Group {
-  int code = 0;
-  std::string_view value;
-  int line = 0;  ///< of the value, from 1
+constexpr int deepest_block = 16;                 // blocks in each other
+constexpr std::size_t max_dxf_parts = 2'000'000;  // entities, those of repeated blocks included
+
+/// Unit of $INSUNITS.
+struct DxfUnit {
+  const char* name;
+  double mm;
 };
 
-InvalidInput wrong(const Group& group, const std::string& what) {
-  return InvalidInput(what, {"", group.line, 1});
-}
+// Values 1 to 24 of $INSUNITS, by Autodesk's DXF reference.
+constexpr double us_foot = 1200.0 / 3937 * 1000;
+constexpr DxfUnit dxf_units[] = {{"inches", 25.4},
+                                 {"feet", 304.8},
+                                 {"miles", 1609344},
+                                 {"mm", 1},
+                                 {"cm", 10},
+                                 {"m", 1000},
+                                 {"km", 1e6},
+                                 {"microinches", 25.4e-6},
+                                 {"mils", 25.4e-3},
+                                 {"yards", 914.4},
+                                 {"angstroms", 1e-7},
+                                 {"nanometres", 1e-6},
+                                 {"micrometres", 1e-3},
+                                 {"decimetres", 100},
+                                 {"decametres", 1e4},
+                                 {"hectometres", 1e5},
+                                 {"gigametres", 1e12},
+                                 {"astronomical units", 1.495978707e14},
+                                 {"light years", 9.4607304725808e18},
+                                 {"parsecs", 3.0856775814913673e19},
+                                 {"US survey feet", us_foot},
+                                 {"US survey inches", us_foot / 12},
+                                 {"US survey yards", 3 * us_foot},
+                                 {"US survey miles", 5280 * us_foot}};
 
-double number_of(const Group& group) {
-  try {
-    return parse_number(group.value);
-  } catch (const InvalidInput& e) {
-    throw wrong(group, e.reason());
-  }
-}
-
-int integer_of(const Group& group) {
-  constexpr int most = 1'000'000;  // flags and units are small
-  try {
-    return parse_integer(group.value, -most, most);
-  } catch (const InvalidInput& e) {
-    throw wrong(group, e.reason());
-  }
-}
-
-class Groups {
- public:
-  explicit Groups(std::string_view text) : text_(text) {}
-
-  std::optional<Group> next() {
-    if (rest().empty()) return std::nullopt;
-    Group code{0, line(), line_};
-    Group group{integer_of(code), line(), line_};
-    return group;
-  }
-
- private:
-  std::string_view rest() {
-    while (!text_.empty() && (text_.back() == '\n' || text_.back() == '\r' || text_.back() == ' '))
-      text_.remove_suffix(1);
-    return text_;
-  }
-  std::string_view line() {
-    const std::size_t end = text_.find('\n');
-    std::string_view out = text_.substr(0, end);
-    text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-    ++line_;
-    const std::size_t first = out.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return out.substr(first, out.find_last_not_of(" \t\r") + 1 - first);
-  }
-
-  std::string_view text_;
-  int line_ = 0;
+struct DxfLayer {
+  bool is_hidden = false;
+  int colour = 0;  ///< 0xRRGGBB
 };
 
-/// Returns the mm in a unit of $INSUNITS. 0 means that the drawing names none: mm, as laser cutters assume.
-double unit_mm(const Group& unit) {
-  static const std::map<int, double> known = {{0, 1}, {1, 25.4}, {2, 304.8}, {4, 1}, {5, 10}, {6, 1000}};
-  const auto found = known.find(integer_of(unit));
-  if (found != known.end()) return found->second;
-  throw wrong(unit, "the unit $INSUNITS " + std::string(unit.value) +
-                        " is not supported. Give mm, cm, m, inches or feet");
+struct DxfBlock {
+  Vector2d base = {0, 0};
+  std::vector<const DxfEntity*> entities;
+};
+
+/// Parts of a DXF file.
+struct DxfContents {
+  std::vector<const DxfEntity*> entities;
+  std::map<std::string_view, DxfBlock> blocks;
+  std::map<std::string_view, DxfLayer> layers;
+  const DxfGroup* unit = nullptr;  ///< value of $INSUNITS
+};
+
+/// Returns a colour of AutoCAD's index as 0xRRGGBB; black for all but the first six.
+int indexed_colour(int index) {
+  static const std::map<int, int> known = {{1, 0xFF0000}, {2, 0xFFFF00}, {3, 0x00FF00},
+                                           {4, 0x00FFFF}, {5, 0x0000FF}, {6, 0xFF00FF}};
+  const auto found = known.find(std::abs(index));
+  return found == known.end() ? 0 : found->second;
 }
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();  // a coordinate that has not come yet
+DxfLayer layer_of(const DxfEntity& entity) {
+  constexpr int frozen = 1;
+  const int colour = entity.integer(62, 7);
+  const bool is_for_notes =
+      lower_case(entity.text(2)) == "defpoints";  // points of dimensions are never plotted
+  return {(entity.integer(70, 0) & frozen) != 0 || colour < 0 || is_for_notes, indexed_colour(colour)};
+}
 
-/// Takes the entities one after the other.
-class Entities {
- public:
-  void take(const Group& group) {
-    if (group.code == 0) return begin(group);
-    if (group.code == 67) is_on_paper_ = integer_of(group) != 0;
-    if (name_ == "LINE") return take_line(group);
-    if (name_ == "LWPOLYLINE" || name_ == "VERTEX") return take_vertex(group);
-    if (name_ == "POLYLINE") take_flags(group);
-  }
+/// Finds $INSUNITS in the groups of the header, which follow its SECTION.
+const DxfGroup* unit_group(const DxfEntity& header) {
+  for (std::size_t k = 1; k < header.groups.size(); ++k)
+    if (header.groups[k - 1].code == 9 && header.groups[k - 1].value == "$INSUNITS") return &header.groups[k];
+  return nullptr;
+}
 
-  Drawing drawing(double mm) {
-    for (DrawnLine& line : lines_)
-      for (Vector2d& end : line) end *= mm;
-    return std::move(lines_);
-  }
-
- private:
-  void begin(const Group& group) {
-    static const std::set<std::string_view> curved = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"};
-    if (curved.contains(group.value))
-      throw wrong(group, "the curve " + std::string(group.value) +
-                             " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
-    if (group.value == "MLINE" || group.value == "3DFACE")
-      throw wrong(group,
-                  std::string(group.value) + " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
-    if (group.value == "INSERT") throw wrong(group, "there is a block here. Explode it into lines");
-    end_line();
-    if (group.value != "VERTEX") {
-      end_polyline();
-      is_on_paper_ = false;
+DxfContents contents_of(const std::vector<DxfEntity>& all) {
+  DxfContents contents;
+  std::string_view section;
+  DxfBlock* block = nullptr;
+  for (const DxfEntity& entity : all) {
+    if (entity.name == "SECTION") {
+      section = entity.text(2);
+      if (section == "HEADER") contents.unit = unit_group(entity);
+    } else if (entity.name == "ENDSEC") {
+      section = {};
+    } else if (section == "TABLES" && entity.name == "LAYER") {
+      contents.layers[entity.text(2)] = layer_of(entity);
+    } else if (section == "BLOCKS" && entity.name == "BLOCK") {
+      block = &contents.blocks[entity.text(2)];
+      block->base = {entity.number(10, 0), entity.number(20, 0)};
+    } else if (section == "BLOCKS" && block) {
+      if (entity.name == "ENDBLK")
+        block = nullptr;
+      else
+        block->entities.push_back(&entity);
+    } else if (section == "ENTITIES") {
+      contents.entities.push_back(&entity);
     }
-    name_ = group.value;
+  }
+  return contents;
+}
+
+/// Draws entities and the blocks that they insert.
+class DxfReader {
+ public:
+  explicit DxfReader(const DxfContents& contents) : contents_(contents) {}
+
+  Drawing run() {
+    draw(contents_.entities, Affine2d::Identity(), "0", 0);
+    set_unit();
+    return std::move(out_);
   }
 
-  void take_line(const Group& group) {
-    for (int k = 0; k < 4; ++k)
-      if (group.code == (std::array{10, 20, 11, 21})[k]) line_[k] = number_of(group);
+ private:
+  using Entities = std::vector<const DxfEntity*>;
+
+  void draw(const Entities& entities, const Affine2d& at, std::string_view layer, int depth) {
+    for (std::size_t k = 0; k < entities.size(); ++k) {
+      const DxfEntity& entity = *entities[k];
+      if (++parts_ > max_dxf_parts)
+        throw entity.error("the drawing has more than 2 million entities. Give a smaller drawing");
+      Entities vertices;
+      if (entity.name == "POLYLINE")
+        while (k + 1 < entities.size() && entities[k + 1]->name == "VERTEX")
+          vertices.push_back(entities[++k]);
+      draw_one(entity, vertices, at, layer, depth);
+    }
   }
 
-  void take_vertex(const Group& group) {
-    if (group.code == 10) points_.emplace_back(number_of(group), missing);
-    if (group.code == 20 && !points_.empty()) points_.back().y() = number_of(group);
-    if (group.code == 42 && number_of(group) != 0)
-      throw wrong(group, "this polyline has an arc (a bulge). Draw straight walls");
-    if (name_ == "LWPOLYLINE") take_flags(group);
+  void draw_one(const DxfEntity& entity, const Entities& vertices, const Affine2d& at, std::string_view above,
+                int depth) {
+    const bool is_on_paper = entity.integer(67, 0) != 0, is_invisible = entity.integer(60, 0) != 0;
+    std::string_view layer = entity.text(8);
+    if (layer.empty() || layer == "0") layer = above;  // layer 0 in a block is the layer of its insertion
+    const auto known = contents_.layers.find(layer);
+    if (is_on_paper || is_invisible || (known != contents_.layers.end() && known->second.is_hidden)) return;
+    if (entity.name == "INSERT") return insert(entity, at, layer, depth);
+    constexpr int by_layer = 256;
+    const int index = entity.integer(62, by_layer);
+    const int layer_colour = known == contents_.layers.end() ? 0 : known->second.colour;
+    const int colour = index == by_layer ? layer_colour : indexed_colour(index);
+    static const std::set<std::string_view> in_space = {"LINE", "ELLIPSE", "SPLINE", "3DFACE"};
+    Affine2d placed = at;
+    const std::vector<DxfStroke> strokes = dxf_strokes(entity, vertices);
+    if (!strokes.empty() && !in_space.contains(entity.name) && is_from_below(entity))
+      placed.scale(Vector2d(-1, 1));
+    for (const DxfStroke& stroke : strokes) add(stroke, placed, colour);
   }
 
-  void take_flags(const Group& group) {
-    constexpr int closed = 1, smooth_or_mesh = 2 | 4 | 16 | 64;
-    if (group.code == 230 && number_of(group) < 0)
-      throw wrong(group, "this polyline is drawn from below (extrusion along -z). Flatten the drawing");
-    if (group.code != 70) return;
-    if ((integer_of(group) & smooth_or_mesh) != 0)
-      throw wrong(group, "this polyline is a smooth curve or a mesh. Draw straight walls");
-    is_closed_ = (integer_of(group) & closed) != 0;
+  void insert(const DxfEntity& entity, const Affine2d& above, std::string_view layer, int depth) {
+    const auto block = contents_.blocks.find(entity.text(2));
+    if (block == contents_.blocks.end())
+      throw entity.error("the block " + in_ticks(entity.text(2)) +
+                         " is not in the file. Remove its insertion, or save the drawing with its blocks");
+    if (depth >= deepest_block)
+      throw entity.error("blocks are nested more than " + std::to_string(deepest_block) +
+                         " levels deep. Explode them into lines");
+    Affine2d at = above;
+    if (is_from_below(entity)) at.scale(Vector2d(-1, 1));
+    at.translate(entity.point(10)).rotate(entity.number(50, 0) * radians_per_degree);
+    const Vector2d scale(entity.number(41, 1), entity.number(42, 1));
+    const Vector2d step(entity.number(44, 0), entity.number(45, 0));
+    const int columns = std::max(1, entity.integer(70, 1)), rows = std::max(1, entity.integer(71, 1));
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        if (++parts_ > max_dxf_parts)
+          throw entity.error("blocks are inserted more than 2 million times. Give a smaller drawing");
+        Affine2d one = at;
+        one.translate(step.cwiseProduct(Vector2d(column, row))).scale(scale).translate(-block->second.base);
+        draw(block->second.entities, one, layer, depth + 1);
+      }
   }
 
-  void end_line() {
-    if (name_ == "LINE") add({line_[0], line_[1]}, {line_[2], line_[3]});
-    line_.fill(missing);
+  void add(const DxfStroke& stroke, const Affine2d& at, int colour) {
+    int curve = -1;
+    if (!stroke.curve.empty()) {
+      curve = static_cast<int>(out_.curves.size());
+      out_.curves.push_back(stroke.curve);
+    }
+    for (std::size_t k = 1; k < stroke.points.size(); ++k) {
+      out_.lines.push_back({at * stroke.points[k - 1], at * stroke.points[k], stroke.line, colour, curve});
+      if (!out_.lines.back().from.allFinite() || !out_.lines.back().to.allFinite())
+        throw InvalidInput("a coordinate is too large. Give smaller numbers", {"", stroke.line, 1});
+    }
+    if (out_.lines.size() > max_drawn_lines)
+      throw InvalidInput("the drawing has more than a million lines. Give a smaller drawing",
+                         {"", stroke.line, 1});
   }
 
-  void add(const Vector2d& a, const Vector2d& b) {
-    if (!a.allFinite() || !b.allFinite()) throw InvalidInput("has a line without one of its coordinates");
-    if (!is_on_paper_) lines_.push_back({a, b});
+  void set_unit() {
+    out_.unit_source = "the file has no $INSUNITS";
+    if (!contents_.unit) return;
+    const int number = contents_.unit->integer();
+    if (number < 1 || number > static_cast<int>(std::size(dxf_units))) {
+      out_.unit_source = "$INSUNITS is " + std::to_string(number) + ", which has no unit";
+      return;
+    }
+    out_.unit_mm = dxf_units[number - 1].mm;
+    out_.unit_source = "$INSUNITS " + std::to_string(number) + ", " + dxf_units[number - 1].name;
   }
 
-  void end_polyline() {
-    for (std::size_t k = 1; k < points_.size(); ++k) add(points_[k - 1], points_[k]);
-    if (is_closed_ && points_.size() > 2) add(points_.back(), points_.front());
-    points_.clear();
-    is_closed_ = false;
-  }
-
-  Drawing lines_;
-  std::string_view name_;                                              ///< of the entity that is open
-  std::array<double, 4> line_ = {missing, missing, missing, missing};  ///< x, y of both ends
-  std::vector<Vector2d> points_;
-  bool is_closed_ = false;
-  bool is_on_paper_ = false;  ///< the entity that is open: frames and title blocks of a layout
+  const DxfContents& contents_;
+  Drawing out_;
+  std::size_t parts_ = 0;
 };
 
 }  // namespace
 
-// DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
-// GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF"))
-    throw InvalidInput("this is a binary DXF. Save it as text (ASCII)");
-  Groups groups(text);
-  Entities entities;
-  std::string_view section, variable;
-  double mm = 1;
-  bool is_dxf = false, names_section = false, is_whole = false;
-  while (const auto group = groups.next()) {
-    if (group->code == 0 &&
-        (group->value == "SECTION" || group->value == "ENDSEC" || group->value == "EOF")) {
-      if (section == "ENTITIES") entities.take({0, "END", group->line});
-      section = {};
-      names_section = group->value == "SECTION";
-      is_dxf = true;
-      is_whole = group->value == "EOF";
-    } else if (names_section && group->code == 2) {
-      section = group->value;
-      names_section = false;
-    } else if (section == "ENTITIES") {
-      entities.take(*group);
-    } else if (section == "HEADER") {
-      if (group->code == 9) variable = group->value;
-      if (group->code == 70 && variable == "$INSUNITS") mm = unit_mm(*group);
-    }
-  }
-  if (!is_dxf) throw InvalidInput("is not a DXF file");
-  if (!is_whole) throw InvalidInput("is cut off: a DXF file ends with EOF");
-  return entities.drawing(mm);
+  const std::vector<DxfEntity> all = parse_dxf_entities(text);
+  return DxfReader(contents_of(all)).run();
 }
 
 }  // namespace kinetix::targets

@@ -1,12 +1,18 @@
-#include <Eigen/Geometry>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <pugixml.hpp>
+#include <set>
+#include <unordered_map>
+#include <utility>
 
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"
+#include "targets/drawing/svg_page.hpp"
+#include "targets/drawing/svg_path.hpp"
+#include "targets/drawing/svg_scanner.hpp"
+#include "targets/drawing/svg_style.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -14,281 +20,238 @@ namespace {
 using Eigen::Affine2d;
 using Eigen::Vector2d;
 
-// mm of a user unit where the file says no more, by https://www.w3.org/TR/css-values-3/#absolute-lengths
-constexpr double pixel_mm = 25.4 / 96;
+constexpr int deepest_group = 100;                      // groups in each other: drawings have some ten
+constexpr std::size_t max_svg_elements = 2'000'000;     // including those that `use` repeats
+constexpr std::size_t max_transformed_length = 10'000;  // bytes of a transform: rows of transforms take time
 
-constexpr int deepest = 100;  // groups in each other: drawings have some ten
-
-/// Numbers and words of an attribute, one after the other.
-class Scanner {
- public:
-  explicit Scanner(std::string_view text) : text_(text) {}
-
-  bool at_end() {
-    skip();
-    return text_.empty();
-  }
-  /// Returns the next letter, or 0 if a number or the end comes first.
-  char letter() {
-    skip();
-    if (text_.empty() || !std::isalpha(static_cast<unsigned char>(text_[0]))) return 0;
-    const char c = text_[0];
-    text_.remove_prefix(1);
-    return c;
-  }
-  std::string_view word() {
-    skip();
-    std::size_t end = 0;
-    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
-    return take(end);
-  }
-  /// Skips this word if it comes next.
-  void word(std::string_view wanted) {
-    skip();
-    if (text_.starts_with(wanted)) text_.remove_prefix(wanted.size());
-  }
-  double number() {
-    skip();
-    if (!text_.empty() && text_[0] == '+') text_.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-    if (error != std::errc() || !std::isfinite(value))
-      throw InvalidInput("has " + in_ticks(text_.substr(0, 20)) + " instead of a number. Give a number");
-    text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
-    return value;
-  }
-  Vector2d point() {
-    const double x = number();
-    return {x, number()};
-  }
-  bool at(char c) {
-    skip();
-    return !text_.empty() && text_[0] == c;
-  }
-  void expect(char c) {
-    if (!at(c)) throw InvalidInput(std::string("has no `") + c + "` where a transform needs one");
-    text_.remove_prefix(1);
-  }
-
- private:
-  void skip() {
-    const std::size_t start = text_.find_first_not_of(" \t\r\n,");
-    text_.remove_prefix(start == std::string_view::npos ? text_.size() : start);
-  }
-  std::string_view take(std::size_t count) {
-    const std::string_view token = text_.substr(0, count);
-    text_.remove_prefix(count);
-    return token;
-  }
-
-  std::string_view text_;
+/// State that elements inherit.
+struct Inherited {
+  Affine2d at = Affine2d::Identity();
+  Vector2d whole = Vector2d(0, 0);  ///< 100 % along x and y
+  std::string stroke = {}, fill = {};
+  bool is_visible = true;
+  int depth = 0;
 };
 
-Affine2d one_transform(std::string_view name, const std::vector<double>& n) {
-  const auto wants = [&](std::size_t least, std::size_t most) {
-    if (n.size() < least || n.size() > most)
-      throw InvalidInput("has a transform " + std::string(name) + " of " + std::to_string(n.size()) +
-                         " numbers");
-  };
-  Affine2d out = Affine2d::Identity();
-  if (name == "translate") {
-    wants(1, 2);
-    out.translate(Vector2d(n[0], n.size() > 1 ? n[1] : 0));
-  } else if (name == "scale") {
-    wants(1, 2);
-    out.scale(Vector2d(n[0], n.size() > 1 ? n[1] : n[0]));
-  } else if (name == "rotate") {
-    wants(1, 3);
-    const Vector2d about = n.size() == 3 ? Vector2d(n[1], n[2]) : Vector2d(0, 0);
-    out.translate(about).rotate(n[0] * radians_per_degree).translate(-about);
-  } else if (name == "matrix") {
-    wants(6, 6);
-    out.matrix() << n[0], n[2], n[4], n[1], n[3], n[5], 0, 0, 1;
-  } else {
-    throw InvalidInput("has a transform `" + std::string(name) +
-                       "`. Give translate, scale, rotate or matrix");
-  }
-  return out;
-}
-
-Affine2d transform_of(const pugi::xml_node& node) {
-  Scanner scan(node.attribute("transform").value());
-  Affine2d all = Affine2d::Identity();
-  while (!scan.at_end()) {
-    const std::string_view name = scan.word();
-    scan.expect('(');
-    std::vector<double> numbers;
-    while (!scan.at(')')) numbers.push_back(scan.number());
-    scan.expect(')');
-    all = all * one_transform(name, numbers);
-  }
-  return all;
-}
-
-/// Whether an element is hidden, as drawing programs hide a layer.
-bool is_hidden(const pugi::xml_node& node) {
-  std::string style = node.attribute("style").value();
-  std::erase(style, ' ');
-  return std::string_view(node.attribute("display").value()) == "none" ||
-         style.find("display:none") != std::string::npos;
-}
-
-/// Lines of one element after the other, in mm.
-class Reader {
+/// Lines of numbers of bytes in a file.
+class LineNumbers {
  public:
-  void read(const pugi::xml_node& node, const Affine2d& above, int depth = 0) {
-    if (depth > deepest)
-      throw InvalidInput("has groups more than " + std::to_string(deepest) + " levels deep");
-    const std::string_view name = local_name(node);
-    if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
-    if (is_hidden(node)) return;
-    if (name == "svg" && depth > 0)
-      throw InvalidInput(
-          "the drawing has an svg within its svg, which may have a different scale. Ungroup it");
-    const Affine2d at = above * transform_of(node);
-    if (name == "line")
-      add(at, {number(node, "x1"), number(node, "y1")}, {number(node, "x2"), number(node, "y2")});
-    else if (name == "polyline" || name == "polygon")
-      add_points(at, node.attribute("points").value(), name == "polygon");
-    else if (name == "rect")
-      add_rectangle(at, node);
-    else if (name == "path")
-      add_path(at, node.attribute("d").value());
-    else if (name == "circle" || name == "ellipse" || name == "use")
-      throw InvalidInput("has a " + std::string(name) +
-                         ". Draw walls as line, polyline, polygon, rect or straight paths");
-    for (const pugi::xml_node& child : node.children()) read(child, at, depth + 1);
+  explicit LineNumbers(const std::string& text) {
+    for (std::size_t k = 0; k < text.size(); ++k)
+      if (text[k] == '\n') ends_.push_back(static_cast<std::ptrdiff_t>(k));
   }
-
-  Drawing take() { return std::move(lines_); }
+  int of(const pugi::xml_node& node) const {
+    const auto below = std::lower_bound(ends_.begin(), ends_.end(), node.offset_debug());
+    return static_cast<int>(below - ends_.begin()) + 1;
+  }
 
  private:
-  static std::string_view local_name(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+  std::vector<std::ptrdiff_t> ends_;
+};
+
+bool is_paint_absent(const std::string& paint) { return paint == "none" || paint == "transparent"; }
+
+bool is_white(const std::string& paint) { return !paint.empty() && svg_colour(paint) == 0xFFFFFF; }
+
+/// Reads element after element.
+class SvgReader {
+ public:
+  SvgReader(const pugi::xml_document& document, const std::string& text)
+      : svg_(document.document_element()), styles_(svg_), numbers_(text) {}
+
+  Drawing run(const SvgPage& page) {
+    Inherited all;
+    all.at.scale(Vector2d(1, -page.stretch));
+    all.whole = page.size;
+    read(svg_, all);
+    out_.unit_mm = page.unit_mm;
+    out_.unit_source = page.source;
+    return std::move(out_);
   }
 
-  static double number(const pugi::xml_node& node, const char* key) {
-    const std::string_view text = node.attribute(key).value();
-    if (text.empty()) return 0;
-    Scanner scan(text);
-    const double value = scan.number();
-    scan.word("px");
-    if (!scan.at_end())
-      throw InvalidInput("has the length " + in_ticks(text) + ". Give user units, without a unit");
-    return value;
-  }
-
-  void add(const Affine2d& at, const Vector2d& a, const Vector2d& b) { lines_.push_back({at * a, at * b}); }
-
-  void add_points(const Affine2d& at, std::string_view text, bool closed) {
-    Scanner scan(text);
-    std::vector<Vector2d> points;
-    while (!scan.at_end()) points.push_back(scan.point());
-    for (std::size_t k = 1; k < points.size(); ++k) add(at, points[k - 1], points[k]);
-    if (closed && points.size() > 2) add(at, points.back(), points.front());
-  }
-
-  void add_rectangle(const Affine2d& at, const pugi::xml_node& node) {
-    const Vector2d low(number(node, "x"), number(node, "y"));
-    if (number(node, "rx") > 0 || number(node, "ry") > 0)
-      throw InvalidInput("there is a rect with round corners. Draw straight walls");
-    const Vector2d wide(number(node, "width"), 0), high(0, number(node, "height"));
-    const Vector2d corners[] = {low, low + wide, low + wide + high, low + high};
-    for (int k = 0; k < 4; ++k) add(at, corners[k], corners[(k + 1) % 4]);
-  }
-
-  void add_path(const Affine2d& at, std::string_view text) {
-    Scanner scan(text);
-    Vector2d now(0, 0), start(0, 0);
-    char command = 0;
-    while (!scan.at_end()) {
-      const char next = scan.letter();
-      const bool is_new = next != 0;
-      if (command == 0 && std::toupper(static_cast<unsigned char>(next)) != 'M')
-        throw InvalidInput("has a path that begins with no M");
-      if (is_new) command = next;
-      const bool relative = std::islower(static_cast<unsigned char>(command));
-      const Vector2d from = relative ? now : Vector2d(0, 0);
-      Vector2d to = now;
-      switch (std::toupper(static_cast<unsigned char>(command))) {
-        case 'M':
-          now = start = from + scan.point();
-          command = relative ? 'l' : 'L';
-          continue;
-        case 'L':
-          to = from + scan.point();
-          break;
-        case 'H':
-          to.x() = from.x() + scan.number();
-          break;
-        case 'V':
-          to.y() = from.y() + scan.number();
-          break;
-        case 'Z':
-          to = start;
-          if (!is_new) throw InvalidInput("has numbers after the command `Z` of a path");
-          break;
-        default:
-          throw InvalidInput(std::string("has a path with the command `") + command +
-                             "`. Draw straight walls by M, L, H, V and Z");
-      }
-      if (to != now) add(at, now, to);
-      now = to;
+ private:
+  void read(const pugi::xml_node& node, const Inherited& above) {
+    try {
+      read_element(node, above);
+    } catch (const InvalidInput& e) {
+      if (e.place().line > 0) throw;
+      throw InvalidInput(e.reason(), {"", numbers_.of(node), 1});
     }
   }
 
-  Drawing lines_;
-};
-
-/// Reads a length attribute in mm; empty for percents and missing attributes.
-std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
-  if (!attribute || std::string_view(attribute.value()).find('%') != std::string_view::npos)
-    return std::nullopt;
-  Scanner scan(attribute.value());
-  const double value = scan.number();
-  const std::string_view unit = scan.word();
-  if (unit == "mm") return value;
-  if (unit == "cm") return 10 * value;
-  if (unit == "in") return 25.4 * value;
-  if (unit == "pt") return 25.4 / 72 * value;
-  if (unit.empty() || unit == "px") return pixel_mm * value;
-  throw InvalidInput("has a size in " + in_ticks(unit) + ". Give mm, cm, in, pt or px");
-}
-
-/// Returns the transform from user units to mm, y upwards.
-Affine2d page(const pugi::xml_node& svg) {
-  double mm_x = pixel_mm, mm_y = pixel_mm;
-  const auto width = length_mm(svg.attribute("width")), height = length_mm(svg.attribute("height"));
-  if (const pugi::xml_attribute box = svg.attribute("viewBox")) {
-    Scanner scan(box.value());
-    scan.point();
-    const Vector2d size = scan.point();
-    if (width && size.x() > 0) mm_x = *width / size.x();
-    mm_y = height && size.y() > 0 ? *height / size.y() : mm_x;
-    if (!width) mm_x = mm_y;
-    // The rules are those of https://www.w3.org/TR/SVG11/coords.html#PreserveAspectRatioAttribute
-    const std::string_view aspect = svg.attribute("preserveAspectRatio").value();
-    const bool is_cut = aspect.ends_with("slice");
-    if (aspect != "none") mm_x = mm_y = is_cut ? std::max(mm_x, mm_y) : std::min(mm_x, mm_y);
+  void read_element(const pugi::xml_node& node, const Inherited& above) {
+    static const std::set<std::string_view> groups = {"svg", "g", "a", "switch", "use", "symbol"};
+    if (above.depth > deepest_group)
+      throw InvalidInput("groups are nested more than " + std::to_string(deepest_group) +
+                         " levels deep. Ungroup them");
+    if (++elements_ > max_svg_elements)
+      throw InvalidInput("the drawing has more than 2 million elements. Give a smaller drawing");
+    const pugi::xml_node placer = std::exchange(placer_, {});
+    const std::string_view name = svg_name(node);
+    const bool is_group = groups.contains(name);
+    if (!is_group && !is_shape(name)) return;
+    Inherited now = inherit(node, above);
+    if (styles_.property(node, "display") == "none" || styles_.property(node, "opacity") == "0") return;
+    if (name == "use") return expand(node, now);
+    if (!is_group) return add_shape(node, name, now);
+    if ((name == "svg" && node != svg_) || name == "symbol")
+      now.at = now.at * svg_viewport(node, placer ? placer : node, now.whole);
+    for (const pugi::xml_node& child : node.children())
+      if (svg_name(child) != "symbol") read(child, now);
   }
-  Affine2d out = Affine2d::Identity();
-  out.scale(Vector2d(mm_x, -mm_y));
-  return out;
-}
+
+  Inherited inherit(const pugi::xml_node& node, const Inherited& above) const {
+    Inherited now = above;
+    ++now.depth;
+    const std::string transform = styles_.property(node, "transform");
+    if (transform.size() > max_transformed_length)
+      throw InvalidInput("a transform is longer than 10 000 bytes. Simplify it");
+    if (!transform.empty() && transform != "none") {
+      if (!styles_.property(node, "transform-origin").empty())
+        throw InvalidInput("a transform-origin is not supported. Apply the transform in the drawing program");
+      now.at = now.at * svg_transform(transform);
+    }
+    for (const auto& [name, value] : {std::pair("stroke", &now.stroke), std::pair("fill", &now.fill)})
+      if (std::string own = styles_.property(node, name); !own.empty()) *value = std::move(own);
+    const std::string visibility = styles_.property(node, "visibility");
+    if (!visibility.empty()) now.is_visible = visibility != "hidden" && visibility != "collapse";
+    return now;
+  }
+
+  void expand(const pugi::xml_node& node, Inherited now) {
+    const std::string_view link = svg_attribute(node, "href");
+    if (!link.starts_with('#'))
+      throw InvalidInput("a use element refers to another file. Embed the element in the drawing");
+    const pugi::xml_node used = element_of(std::string(link.substr(1)));
+    if (!used) throw InvalidInput("the element " + in_ticks(link) + " of a use is missing. Remove the use");
+    const std::string_view name = svg_name(used);
+    const bool has_viewport = name == "symbol" || name == "svg";
+    if (!has_viewport)
+      now.at.translate(Vector2d(length(node, "x", now.whole.x()), length(node, "y", now.whole.y())));
+    placer_ = has_viewport ? node : pugi::xml_node();
+    read(used, now);
+  }
+
+  pugi::xml_node element_of(const std::string& id) {
+    if (ids_.empty()) collect_ids(svg_, 0);
+    const auto found = ids_.find(id);
+    return found == ids_.end() ? pugi::xml_node() : found->second;
+  }
+
+  void collect_ids(const pugi::xml_node& node, int depth) {
+    if (depth > deepest_group) return;
+    ids_.try_emplace(node.attribute("id").value(), node);
+    for (const pugi::xml_node& child : node.children()) collect_ids(child, depth + 1);
+  }
+
+  static bool is_shape(std::string_view name) {
+    static const std::set<std::string_view> shapes = {"line", "polyline", "polygon", "rect",
+                                                      "path", "circle",   "ellipse"};
+    return shapes.contains(name);
+  }
+
+  /// Whether a shape leaves no ink on white paper. Shapes without any paint are lines for cutters.
+  static bool is_blank(std::string_view name, const Inherited& now) {
+    const bool is_empty = is_paint_absent(now.fill) || is_white(now.fill);
+    if (is_paint_absent(now.stroke)) return is_empty || name == "line";
+    return name == "rect" && now.stroke.empty() && is_white(now.fill);
+  }
+
+  static double length(const pugi::xml_node& node, const char* key, double whole) {
+    const std::string_view text = node.attribute(key).value();
+    return text.empty() ? 0 : svg_length(text, whole);
+  }
+
+  void add_shape(const pugi::xml_node& node, std::string_view name, const Inherited& now) {
+    if (!now.is_visible || is_blank(name, now)) return;
+    const double x = now.whole.x(), y = now.whole.y();
+    for (const SvgStroke& stroke : strokes_of(node, name, x, y)) add(stroke, now, numbers_.of(node));
+  }
+
+  static std::vector<SvgStroke> strokes_of(const pugi::xml_node& node, std::string_view name, double x,
+                                           double y) {
+    if (name == "path") return parse_svg_path(node.attribute("d").value());
+    if (name == "line")
+      return {
+          {{{length(node, "x1", x), length(node, "y1", y)}, {length(node, "x2", x), length(node, "y2", y)}},
+           ""}};
+    if (name == "rect") return rectangle(node, x, y);
+    if (name == "circle" || name == "ellipse") {
+      const double r = name == "circle" ? length(node, "r", Vector2d(x, y).norm() / std::sqrt(2.0)) : 0;
+      const Vector2d radii =
+          name == "circle" ? Vector2d(r, r) : Vector2d(length(node, "rx", x), length(node, "ry", y));
+      if (!(radii.minCoeff() > 0)) return {};
+      return {{ellipse_chords({length(node, "cx", x), length(node, "cy", y)}, {radii.x(), 0}, {0, radii.y()},
+                              0, 2 * pi),
+               std::string(name)}};
+    }
+    ChordPoints points;
+    SvgScanner scan(node.attribute("points").value());
+    while (!scan.at_end()) points.push_back(scan.point());
+    if (name == "polygon" && points.size() > 2) points.push_back(points.front());
+    return {{std::move(points), ""}};
+  }
+
+  static std::vector<SvgStroke> rectangle(const pugi::xml_node& node, double x, double y) {
+    const Vector2d low(length(node, "x", x), length(node, "y", y));
+    const Vector2d wide(length(node, "width", x), 0), high(0, length(node, "height", y));
+    double rx = length(node, "rx", x), ry = length(node, "ry", y);
+    if (!node.attribute("rx")) rx = ry;
+    if (!node.attribute("ry")) ry = rx;
+    rx = std::min(rx, wide.x() / 2);
+    ry = std::min(ry, high.y() / 2);
+    if (!(rx > 0 && ry > 0)) return {{{low, low + wide, low + wide + high, low + high, low}, ""}};
+    ChordPoints points;
+    for (int k = 0; k < 4; ++k) {  // clockwise as seen, from the corner at the lower right
+      const Vector2d corner =
+          low + (k == 0 || k == 3 ? wide : Vector2d(0, 0)) + (k < 2 ? high : Vector2d(0, 0));
+      const Vector2d inwards(k == 0 || k == 3 ? -rx : rx, k < 2 ? -ry : ry);
+      const double from = k * pi / 2;
+      for (const Vector2d& p : ellipse_chords(corner + inwards, {rx, 0}, {0, ry}, from, from + pi / 2))
+        points.push_back(p);
+    }
+    points.push_back(points.front());
+    return {{std::move(points), "rect with round corners"}};
+  }
+
+  void add(const SvgStroke& stroke, const Inherited& now, int line) {
+    if (stroke.points.size() < 2) return;
+    const int colour = svg_colour(now.stroke);
+    int curve = -1;
+    if (!stroke.curve.empty()) {
+      curve = static_cast<int>(out_.curves.size());
+      out_.curves.push_back(stroke.curve);
+    }
+    for (std::size_t k = 1; k < stroke.points.size(); ++k) {
+      out_.lines.push_back({now.at * stroke.points[k - 1], now.at * stroke.points[k], line, colour, curve});
+      if (!out_.lines.back().from.allFinite() || !out_.lines.back().to.allFinite())
+        throw InvalidInput("a coordinate is too large. Give smaller numbers");
+    }
+    if (out_.lines.size() > max_drawn_lines)
+      throw InvalidInput("the drawing has more than a million lines. Give a smaller drawing");
+  }
+
+  pugi::xml_node svg_;
+  SvgStyles styles_;
+  LineNumbers numbers_;
+  std::unordered_map<std::string, pugi::xml_node> ids_;
+  pugi::xml_node placer_;  ///< use that places the svg or symbol element that is read next
+  std::size_t elements_ = 0;
+  Drawing out_;
+};
 
 }  // namespace
 
 Drawing parse_svg(const std::string& text) {
   pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
-  if (!parsed) throw InvalidInput(std::string("is not an SVG file: ") + parsed.description());
-  const pugi::xml_node svg = document.document_element();
-  if (!std::string_view(svg.name()).ends_with("svg")) throw InvalidInput("is not an SVG file");
-  Reader reader;
-  reader.read(svg, page(svg));
-  return reader.take();
+  const pugi::xml_parse_result parsed =
+      document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_comments);
+  if (!parsed)
+    throw InvalidInput(std::string("this is not an SVG file: ") + parsed.description() +
+                       ". Save it again as SVG");
+  if (svg_name(document.document_element()) != "svg")
+    throw InvalidInput("this is not an SVG file. Give a file whose first element is svg");
+  return SvgReader(document, text).run(read_svg_page(document));
 }
 
 }  // namespace kinetix::targets

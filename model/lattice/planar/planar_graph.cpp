@@ -255,7 +255,8 @@ std::vector<int> senses(const PlanarGraph& graph, const std::vector<GraphFace>& 
     if (face.vertices.size() % 2 != 0)
       throw InvalidInput(
           to_string(face) + " has " + std::to_string(face.vertices.size()) +
-          " walls: bodies turn to one side and to the other in turn, which takes an even number");
+          " walls: bodies turn to one side and to the other in turn, which takes an even number. Add or "
+          "remove a wall there");
   std::vector<std::vector<int>> neighbours(graph.vertices.size());
   for (const GraphEdge& e : graph.edges) {
     neighbours[e.from].push_back(e.to);

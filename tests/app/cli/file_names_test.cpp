@@ -153,7 +153,8 @@ TEST_F(NamedFile, IsNotQuotedWhateverKindItIsReadAs) {
   scratch_.write("b.obj", "v 1 2 3\nf 1 secret 3\n");
   scratch_.write("a.stl", "solid a\nfacet secret\n" + std::string(84, ' '));
   scratch_.write("a.ply", "ply\nformat ascii 1.0\nsecret 3\nend_header\n");
-  scratch_.write("a.svg", "<svg width='2secret' viewBox='0 0 1 1'><path d='M 0 0 L 1 1'/></svg>");
+  scratch_.write("a.svg",
+                 "<svg width='2mm' viewBox='0 0 1 1'><path d='M 0 0 L 1 1' transform='secret(1)'/></svg>");
   scratch_.write("b.svg", "<svg width='2mm' height='2mm' viewBox='0 0 1 1'><path d='M secret'/></svg>");
   std::string fold = text_of(KINETIX_SOURCE "/targets/shapes/miura.fold");
   scratch_.write("a.fold", fold.insert(fold.rfind('}'), ", \"frame_unit\": \"secret\""));

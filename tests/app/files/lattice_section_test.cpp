@@ -16,6 +16,8 @@ namespace {
 
 using testing::BadInput;
 using testing::expect_refused;
+using ::testing::HasSubstr;
+using testing::refusal;
 using testing::TemporaryFolder;
 
 // Two squares side by side.
@@ -32,7 +34,8 @@ std::string line(double x0, double y0, double x1, double y1) {
 }
 
 std::string dxf(const std::string& entities) {
-  return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+  return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
+         "0\nENDSEC\n0\nEOF\n";
 }
 
 // Two squares side by side, as a drawing.
@@ -338,15 +341,46 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
   }
 }
 
+TEST(LatticeSection, TakesUnitScaleAndJoiningOfADrawing) {
+  const TemporaryFolder folder;
+  // A square whose second wall begins beyond the end of the first.
+  const std::string plain = "0\nSECTION\n2\nENTITIES\n" + line(0, 0, 1, 0) + line(1, 0.01, 1, 1) +
+                            line(1, 1, 0, 1) + line(0, 1, 0, 0) + "0\nENDSEC\n0\nEOF\n";
+  folder.write("plain.dxf", plain);
+  const auto read = [&](const std::string& keys) {
+    return read_design(folder.write("sheet.yaml", structure("lattice: graph, drawing: plain.dxf" + keys)))
+        .structure;
+  };
+  EXPECT_THAT(refusal([&] { read(""); }), HasSubstr("structure.drawing: the drawing has no unit"));
+  EXPECT_THAT(refusal([&] { read(", unit: in"); }), HasSubstr("Set structure.join_mm: 0.28"));
+  const model::Lattice sheet = read(", unit: in, scale: 2, join_mm: 1");
+  EXPECT_EQ(sheet.bodies(), 4);
+  EXPECT_NEAR(sheet.rest_position(1).x() - sheet.rest_position(0).x(), 2 * 25.4, 1e-9);
+  EXPECT_THAT(refusal([&] { read(", unit: furlong"); }), HasSubstr("structure.unit"));
+  EXPECT_THAT(refusal([&] { read(", join_mm: 0"); }), HasSubstr("structure.join_mm"));
+}
+
+TEST(LatticeSection, SplitsAndMergesTheLinesOfADrawing) {
+  const TemporaryFolder folder;
+  // A frame of 20 mm with a cross in it, drawn as long lines that overlap.
+  folder.write("grid.dxf",
+               dxf(line(0, 0, 20, 0) + line(20, 0, 20, 20) + line(0, 20, 20, 20) + line(0, 0, 0, 20) +
+                   line(10, 0, 10, 20) + line(0, 10, 20, 10) + line(10, 0, 15, 0)));
+  const model::Lattice sheet =
+      read_design(folder.write("sheet.yaml", structure("lattice: graph, drawing: grid.dxf"))).structure;
+  EXPECT_EQ(sheet.bodies(), 9);
+  EXPECT_EQ(sheet.hinges(), 12);
+}
+
 TEST(LatticeSection, NamesTheDrawingThatItCannotRead) {
   const TemporaryFolder folder;
   folder.write("arc.dxf", dxf("0\nARC\n10\n0\n20\n0\n40\n5\n"));
-  folder.write("circle.svg", "<svg><circle r='5'/></svg>");
-  folder.write("curved.svg", "<svg><path d='M0 0 Q1 1 2 0'/></svg>");
+  folder.write("circle.svg", "<svg width='9mm' viewBox='0 0 9 9'><circle r='5'/></svg>");
+  folder.write("curved.svg", "<svg width='9mm' viewBox='0 0 9 9'><path d='M0 0 Q1 1 2 0'/></svg>");
   const std::pair<BadInput, std::string> cases[] = {
-      {{"arc.dxf", 6, 1, "", {"ARC is not supported"}}, "arc.dxf"},
-      {{"circle.svg", 0, 0, "", {"has a circle. Draw walls as line"}}, "circle.svg"},
-      {{"curved.svg", 0, 0, "", {"the command `Q`"}}, "curved.svg"},
+      {{"arc.dxf", 16, 1, "", {"(ARC) is not a wall. Draw straight walls"}}, "arc.dxf"},
+      {{"circle.svg", 1, 1, "", {"the curve near (5, 0) mm (circle)"}}, "circle.svg"},
+      {{"curved.svg", 1, 1, "", {"(curved path)"}}, "curved.svg"},
       {{"nothing.dxf", 0, 0, "", {"no such file"}}, "nothing.dxf"},
   };
   for (const auto& [bad, name] : cases) {

@@ -1,0 +1,44 @@
+#include "app/files/drawing_section.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace value = targets::value;
+
+/// mm of each unit that a file may name.
+constexpr targets::Word<double> drawing_units[] = {
+    {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"ft", 304.8}, {"pt", 25.4 / 72}, {"px", 25.4 / 96}};
+
+// Ratio: from a drawing in micrometres to one in kilometres.
+const targets::Bounds scales = targets::from_to(1e-6, 1e6);
+// mm: from rounding to the longest wall.
+const targets::Bounds joins = targets::from_to(1e-6, 1000, "mm");
+
+}  // namespace
+
+std::vector<targets::Key> drawing_keys() {
+  return {
+      {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
+       "for `graph`: drawing whose visible lines are the walls. They are split where others end or cross, "
+       "and lines "
+       "that overlap are one wall"},
+      {"unit", value::choice(drawing_units),
+       targets::otherwise("the unit of the file: `$INSUNITS`, or `width` and `height` with their unit"),
+       "for `drawing`: unit of the numbers in the file. `pt` is 1/72 inch and `px` is 1/96 inch. It is "
+       "needed if the "
+       "file has no unit"},
+      {"scale", value::number(scales), targets::by_default(1), "for `drawing`: factor of all lengths"},
+      {"join_mm", value::number(joins), targets::otherwise("0.2 % of the median wall"),
+       "for `drawing`: distance up to which ends of lines are joined"},
+  };
+}
+
+targets::DrawnWalls examine_drawn_structure(const targets::Section& structure) {
+  targets::DrawingSettings settings;
+  if (const auto unit = structure.optional("unit")) settings.unit_mm = read_word(*unit, drawing_units);
+  structure.read("scale", settings.scale);
+  structure.read("join_mm", settings.join_mm);
+  return examine_drawing(structure.required("drawing", "path of a DXF or SVG file"), settings);
+}
+
+}  // namespace kinetix::app
