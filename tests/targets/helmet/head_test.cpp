@@ -170,11 +170,11 @@ TEST(Head, IsTheSameInEveryPoseAndUnit) {
     std::function<Vector3d(const Vector3d&)> turn;
   };
   const std::vector<Turned> cases = {
-      {{LengthUnit::m, Vector3d::UnitY(), -Vector3d::UnitZ(), {}, 90},
+      {{1000, Vector3d::UnitY(), -Vector3d::UnitZ(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(p.x(), p.z(), -p.y()) / 1000; }},
-      {{LengthUnit::inch, -Vector3d::UnitX(), Vector3d::UnitZ(), {}, 90},
+      {{25.4, -Vector3d::UnitX(), Vector3d::UnitZ(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(-p.z(), -p.x(), p.y()) / 25.4; }},
-      {{LengthUnit::cm, Vector3d::UnitY(), Vector3d::UnitX(), {}, 90},
+      {{10, Vector3d::UnitY(), Vector3d::UnitX(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(p.y() + 300, p.z(), p.x()) / 10; }}};
   for (const auto& [pose, turn] : cases) {
     TriangleMesh turned = mesh;
@@ -206,11 +206,12 @@ std::string says(const TriangleMesh& mesh, const HeadPose& pose, const std::stri
 
 TEST(Head, OfAnotherSizeIsRefusedWithTheUnitThatWouldDo) {
   const auto sized = [](double mm) { return ellipsoid(mm / 230 * head_axes, 24, 12); };
-  EXPECT_THAT(says(sized(2), {}, "units"), HasSubstr("is 2 mm long"));
+  EXPECT_THAT(says(sized(2), {}, "units"),
+              HasSubstr("is 2 mm long, and a head or a bust is 100 to 1000 mm. Give `units: dm` for 200 mm"));
   EXPECT_THAT(says(sized(0.23), {}, "units"), HasSubstr("Give `units: m` for 230 mm"));
   EXPECT_THAT(says(sized(23), {}, "units"), HasSubstr("Give `units: cm` for 230 mm"));
   EXPECT_THAT(says(sized(9), {}, "units"), HasSubstr("Give `units: in` for 228.6 mm"));
-  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
+  EXPECT_THAT(says(sized(230), {.unit_mm = 1000}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
   EXPECT_THAT(says(sized(2e6), {}, "units"),
               HasSubstr("is 2e+06 mm long, and a head or a bust is 100 to 1000 mm"));
 }
@@ -339,12 +340,8 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
       {"{mesh: none.obj}", 1, 16, "target.mesh", {"none.obj: no such file"}},
       {"{mesh: nan.obj}", 1, 16, "target.mesh", {"nan.obj:2:5: `nan`"}},
       {"{mesh: empty.obj}", 1, 16, "target.mesh", {"empty.obj: has no triangles"}},
-      {"{mesh: tiny.obj}",
-       1,
-       16,
-       "target.mesh",
-       {"in mm the mesh is 2.18", "with any of the units mm, cm, m and in"}},
-      {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, m, in"}},
+      {"{mesh: tiny.obj}", 1, 16, "target.mesh", {"the mesh is 2.18", "Give `units: dm` for 218", "head_mm"}},
+      {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, dm, m, in"}},
       {"{mesh: head.obj, units: m}", 1, 33, "target.units", {"Give `units: mm` for"}},
       {"{mesh: head.obj, up: w}", 1, 30, "target.up", {"`w` is not known", "-z"}},
       {"{mesh: head.obj, up: z, front: -z}", 1, 40, "target.front", {"perpendicular"}},
