@@ -354,6 +354,77 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
   for (const BadInput& bad : cases) expect_refused(bad, file, [&] { read(bad.text, file); });
 }
 
+/// Turns a mesh so that its z axis becomes `up`.
+TriangleMesh turned_up(TriangleMesh mesh, const Vector3d& up) {
+  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up).toRotationMatrix();
+  for (Vector3d& p : mesh.vertices) p = R * p;
+  return mesh;
+}
+
+const std::array<Vector3d, 6> all_axes = {Vector3d(1, 0, 0),  Vector3d(-1, 0, 0), Vector3d(0, 1, 0),
+                                          Vector3d(0, -1, 0), Vector3d(0, 0, 1),  Vector3d(0, 0, -1)};
+
+TEST(LikelyUp, FindsTheCrownWhicheverWayAHeadLies) {
+  for (const TriangleMesh& head : {head_with_ears(90, 60), read_mesh(shapes + "headform.obj")})
+    for (const Vector3d& up : all_axes)
+      EXPECT_LE((likely_up(turned_up(head, up)).up - up).norm(), 1e-9) << up.transpose();
+}
+
+TEST(ReadHead, StatesTheAxisThatItFoundByTheShape) {
+  TemporaryFolder folder;
+  folder.write("head.obj", obj_text(turned_up(head_with_ears(90, 60), Vector3d::UnitY())));
+  const Head head = read("{mesh: head.obj}", folder.path("in.yaml"));
+  EXPECT_EQ(head.to_mesh.linear().col(2), Vector3d::UnitY());
+  ASSERT_EQ(head.notes.size(), 1u);
+  EXPECT_THAT(head.notes[0],
+              HasSubstr("the head points up along +y of the mesh. Give `up` if this is wrong"));
+  EXPECT_TRUE(read("{mesh: head.obj, up: y}", folder.path("in.yaml")).notes.empty());
+}
+
+TEST(ReadHead, TakesTheLengthOfAHeadForItsUnit) {
+  TemporaryFolder folder;
+  TriangleMesh mesh = head_with_ears(90, 60);
+  for (Vector3d& p : mesh.vertices) p *= 0.0137;
+  folder.write("head.obj", obj_text(mesh));
+  const std::string file = folder.path("in.yaml");
+  const Head head = read("{mesh: head.obj, head_mm: 196}", file);
+  EXPECT_NEAR(head.to_mesh.translation().z(), 115, 4) << "the head is 196 mm long where it is longest";
+  EXPECT_NEAR(read("{mesh: head.obj, units: 73}", file).to_mesh.translation().z(), 115, 0.1);
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: head.obj}", file); }),
+              HasSubstr("or the length of the head by `head_mm`"));
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: head.obj, head_mm: 196, units: cm}", file); }),
+              HasSubstr("target.head_mm: cannot be combined with `units`"));
+}
+
+TEST(ReadHead, TakesThePartOfABodyNearItsCrown) {
+  TemporaryFolder folder;
+  TriangleMesh body = ellipsoid(head_axes, 60, 40);
+  testing::add_part(body, ellipsoid({220, 120, 760}, 40, 40), Vector3d(0, 0, -860));
+  folder.write("body.obj", obj_text(body));
+  const Head head = read("{mesh: body.obj, up: z}", folder.path("in.yaml"));
+  EXPECT_LE(bounds(head.dome.mesh()).sizes().maxCoeff(), 320);
+}
+
+TEST(ReadHead, RecognisesTheScanOfAFace) {
+  TemporaryFolder folder;
+  TriangleMesh face = head_with_ears(90, 60);
+  std::erase_if(face.triangles, [&](const Triangle& t) { return face.vertices[t[0]].y() < 20; });
+  folder.write("face.obj", obj_text(face));
+  for (const std::string up : {"", ", up: z"})
+    EXPECT_THAT(testing::refusal([&] { read("{mesh: face.obj" + up + "}", folder.path("in.yaml")); }),
+                HasSubstr("target.mesh: the mesh shows one side of a head alone"))
+        << up;
+}
+
+TEST(ReadHead, NamesTheCoverageThatFits) {
+  TemporaryFolder folder;
+  TriangleMesh cap = head_with_ears(90, 60);
+  std::erase_if(cap.triangles, [&](const Triangle& t) { return cap.vertices[t[0]].z() < 40; });
+  folder.write("cap.obj", obj_text(cap));
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: cap.obj}", folder.path("in.yaml")); }),
+              HasSubstr("target.mesh: `coverage_mm: 90` goes beyond the mesh"));
+}
+
 TEST(Headform, HasThePublishedDimensions) {
   const TriangleMesh mesh = read_mesh(shapes + "headform.obj");
   EXPECT_EQ(mesh.triangles.size(), 5120u);
