@@ -5,7 +5,7 @@
 
 #include "app/cad/cad_formats.hpp"
 #include "app/files/file_header.hpp"
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/shells.hpp"
 #include "targets/document/wording.hpp"

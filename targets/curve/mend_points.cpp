@@ -22,8 +22,8 @@ constexpr double open_gap = 3;  // times the longest other side: an outline is o
 constexpr double min_size_mm = 2, max_size_mm = 10'000;  // sizes of goals outside are taken for a wrong unit
 constexpr double usual_size_mm = 200;                    // mm: the unit that comes nearest to it is suggested
 constexpr int max_smooth_points = 8;  // per given point: chords then deviate little from the curve
-constexpr std::size_t most_smooth_points = 4000;  // in all: the limit of curves in space is 5000
-constexpr std::size_t min_noisy_points = 30;
+constexpr std::size_t most_smooth_points = 4000;        // in all: the limit of curves in space is 5000
+constexpr std::size_t min_noisy_points = 30;            // fewer points may be corners of a shape
 constexpr double noisy_length = 2;                      // of the box's diagonal
 constexpr double noisy_turn = 45 * radians_per_degree;  // mean turn at a point
 constexpr int noise_points = 20;                        // that an average should cover

@@ -45,7 +45,7 @@ class Parts {
   }
 
  private:
-  static constexpr int unvisited = -1;
+  static constexpr int unvisited = -1;  // instead of the number of a part, which is above 0
 
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
 

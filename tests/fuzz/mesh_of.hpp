@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/imports/model_file.hpp"
 #include "app/imports/model_parts.hpp"
+#include "app/models/model_file.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {

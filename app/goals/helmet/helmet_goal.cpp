@@ -6,7 +6,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/goal.hpp"

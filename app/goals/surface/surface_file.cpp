@@ -4,7 +4,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "targets/surface/ribbed_surface.hpp"
 
 namespace kinetix::app {

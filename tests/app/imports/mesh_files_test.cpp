@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "targets/mesh/triangle_mesh.hpp"
 #include "tests/app/program.hpp"
 

@@ -61,6 +61,7 @@ class Reading {
   }
 };
 
+// mm: points that every table gives.
 const std::vector<Vector2d> arch = {{0, 0}, {30.5, 25}, {70, 38}};
 
 TEST(PointTable, TakesEverySeparatorAndDecimalCommas) {

@@ -361,6 +361,7 @@ TriangleMesh turned_up(TriangleMesh mesh, const Vector3d& up) {
   return mesh;
 }
 
+// Unit vectors along all axes of a file.
 const std::array<Vector3d, 6> all_axes = {Vector3d(1, 0, 0),  Vector3d(-1, 0, 0), Vector3d(0, 1, 0),
                                           Vector3d(0, -1, 0), Vector3d(0, 0, 1),  Vector3d(0, 0, -1)};
 

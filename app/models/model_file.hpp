@@ -27,8 +27,8 @@ inline constexpr std::size_t max_model_triangles = 1'000'000;
 /// @throws InvalidInput with the file as place: missing, unreadable, damaged, of another format, too large
 ModelFile read_model_file(const std::string& file);
 
-/// Reads the triangles of a mesh file of any format of read_model_file, and of an OFF file. Parts of a model are
-/// added to one mesh.
+/// Reads the triangles of a mesh file of any format of read_model_file, or the faces of a FOLD file. Parts of a model
+/// are added to one mesh.
 /// @throws InvalidInput as read_model_file and targets::read_mesh
 targets::FileMesh read_mesh_file(const std::string& file);
 
@@ -36,6 +36,7 @@ targets::FileMesh read_mesh_file(const std::string& file);
 ModelFile read_threemf(const std::string& bytes, const std::string& file);
 ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file);
 ModelFile read_glb(const std::string& bytes, const std::string& file);
+targets::TriangleMesh read_origami_faces(const std::string& bytes, const std::string& file);
 /// Reads a STEP file by its name, since the library reads named files only.
 ModelFile read_step(const std::string& file);
 

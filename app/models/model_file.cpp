@@ -1,4 +1,4 @@
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 
 #include <fmt/format.h>
 #include <charconv>
@@ -144,6 +144,8 @@ ModelFile read_model_file(const std::string& file) {
 
 targets::FileMesh read_mesh_file(const std::string& file) {
   const std::string ending = targets::lower_case(std::filesystem::path(file).extension().string());
+  if (ending == ".fold")
+    return {read_origami_faces(targets::read_bytes(file, targets::max_mesh_bytes), file)};
   static const std::set<std::string> models = {".3mf", ".glb", ".step", ".stp"};
   if (!models.contains(ending)) return targets::read_plain_mesh(file);
   const ModelFile model = read_model_file(file);
