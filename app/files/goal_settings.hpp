@@ -78,7 +78,7 @@ struct GoalSettings {
   /// Weight of prints against the design itself in a robust search, (0, 1]. Only of kinds that have robust_key().
   /// Empty: no such search.
   std::optional<double> robust = {};
-  /// What was guessed or mended in files that the target names, one sentence each.
+  /// Guesses about files that the target names, and changes to their content, one sentence each.
   std::vector<std::string> input_notes = {};
 };
 

@@ -19,7 +19,7 @@ constexpr double spike_mm = 0.1;      // shorter spikes are errors of drawing: n
 constexpr double spike_share = 1e-3;  // of the box's diagonal, for small curves
 constexpr double spike_turn = 150 * radians_per_degree;  // turn at the tip of a spike
 constexpr double open_gap = 3;  // times the longest other side: an outline is open there
-constexpr double min_size_mm = 2, max_size_mm = 10'000;  // sizes of goals outside are taken for a wrong unit
+constexpr double min_size_mm = 2, max_size_mm = 10'000;  // goals of other sizes have a wrong unit
 constexpr double usual_size_mm = 200;                    // mm: the unit that comes nearest to it is suggested
 constexpr int max_smooth_points = 8;  // per given point: chords then deviate little from the curve
 constexpr std::size_t most_smooth_points = 4000;        // in all: the limit of curves in space is 5000

@@ -14,7 +14,7 @@ struct PointRequest {
 
 /// Mends points in mm, and adds a note for each kind of change. Points that repeat their neighbour are merged, and
 /// spikes of less than 0.1 mm are removed. Smooth curves have up to eight points per given one.
-/// @param size_in_file largest side of the box of all points in the unit of the file, for advice
+/// @param size_in_file largest side of the box of all points, in the unit of the file. It is for advice.
 /// @throws InvalidInput at the points for a size that is to be checked, and for an outline with an open end
 void mend_points(FilePoints& points, const PointRequest& request, double size_in_file);
 

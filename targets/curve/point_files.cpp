@@ -107,8 +107,8 @@ FilePoints read_silhouette(const std::string& file) {
   const Silhouette found = silhouette_of(read_image(file, ImageLevels::two, false));
   for (const Vector2d& p : found.points) out.points.emplace_back(p.x(), p.y(), 0);
   if (found.left_out > 0)
-    out.notes.push_back("the outline is that of the largest dark part of the picture; " +
-                        counted(found.left_out, "smaller part") + " and all holes are left out");
+    out.notes.push_back("the outline is that of the largest part of the picture, without " +
+                        counted(found.left_out, "smaller part") + " and without holes");
   return out;
 }
 

@@ -31,11 +31,11 @@ struct PointForm {
   bool is_closed = false;  ///< an outline, also of a picture
 };
 
-/// Reads a file of points. Its ending decides the format:
-///   - .svg and .dxf: the only path of a drawing, in mm, y or z upwards
-///   - .png, .jpg, .jpeg, .pbm and .pgm: the outline of the largest silhouette, for outlines alone
-///   - .gpx: a track or route as a map, in metres from its first point; the height is z in space
-///   - all others: a table of numbers (read_point_table)
+/// Reads a file of points. Its ending decides the format.
+///   - .svg and .dxf: the only path of a drawing, in mm, y or z upwards.
+///   - .png, .jpg, .jpeg, .pbm and .pgm: the outline of the largest silhouette, for outlines alone.
+///   - .gpx: a track or route as a map, in metres from its first point. The height is z in space.
+///   - all others: a table of numbers (read_point_table).
 /// @throws InvalidInput naming the file, and the line of text formats
 FilePoints read_point_file(const std::string& file, const PointForm& form);
 

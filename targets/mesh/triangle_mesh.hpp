@@ -37,7 +37,7 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 /// no triangle uses are left out.
 TriangleMesh joined(const TriangleMesh& mesh);
 
-/// Returns the mesh with triangles wound alike across every edge that two of them share, as far as that is possible.
+/// Returns the mesh with triangles that run along shared edges in opposite directions, as far as that is possible.
 /// Each part keeps the winding of most of its area. Triangles without area are left out.
 TriangleMesh wound_alike(const TriangleMesh& mesh);
 

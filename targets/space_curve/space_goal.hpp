@@ -59,8 +59,8 @@ struct ReadSpaceGoal {
   std::vector<Place> places;  ///< of each point
 };
 
-/// Reads the goal of a target section (read_space_points). @param notes to which what was mended is added
-/// @param checks_size see GoalPoints
+/// Reads the goal of a target section (read_space_points). @param notes for what is mended.
+/// @param checks_size see GoalPoints.
 /// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_space_points, or for what
 /// SpaceGoal refuses
 ReadSpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes);

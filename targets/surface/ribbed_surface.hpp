@@ -44,7 +44,7 @@ std::array<std::vector<Eigen::Vector3d>, 2> section_from(const TriangleMesh& mes
 std::vector<Key> surface_keys();
 
 /// @throws InvalidInput at the key at fault: for neither or both of mesh and shape, sizes that another shape has, and
-/// what read_mesh, mesh_patch and the shapes refuse. Triangles of a mesh are wound alike before (wound_alike).
+/// what read_mesh, mesh_patch and the shapes refuse. Triangles of a mesh may be wound either way (wound_alike).
 SurfacePatch read_surface(const Section& target, const MeshReader& read = read_plain_mesh);
 
 /// Returns "mesh", or the name of the shape.

@@ -210,7 +210,7 @@ TEST(PointFiles, TakeTheSilhouetteOfAPicture) {
   EXPECT_NEAR(disc.area(), 3.1416 * 40 * 40, 100);
   EXPECT_NEAR(disc.middle().x(), 80, 0.5);
   EXPECT_NEAR(disc.middle().y(), 60, 0.5);
-  EXPECT_THAT(notes, ElementsAre(HasSubstr("1 smaller part and all holes are left out")));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("without 1 smaller part and without holes")));
   EXPECT_THAT(refusal([&] { read.outline("points: disc.png"); }),
               HasSubstr("the size of a pixel is not known"));
   EXPECT_THAT(refusal([&] { read.curve("points: disc.png, units: 2"); }),
