@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <pugixml.hpp>
 #include <set>
 
@@ -19,40 +20,70 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Walks along the only path of a drawing.
+/// A straight piece of a drawing, mm.
+using Piece = std::array<Vector2d, 2>;
+
+constexpr double same_end = 1e-3;  // of the mean piece: CAD files keep three decimals or more of a mm
+
+double mean_length(const std::vector<Piece>& pieces) {
+  double sum = 0;
+  for (const auto& [a, b] : pieces) sum += (b - a).norm();
+  return sum / static_cast<double>(pieces.size());
+}
+
+/// Ends of pieces in squares of a grid. Ends that are near each other get the same number.
+class NumberedEnds {
+ public:
+  explicit NumberedEnds(double near) : near_(near) {}
+
+  int number(const Vector2d& p) {
+    const double i = std::floor(p.x() / near_), j = std::floor(p.y() / near_);
+    for (const double a : {i - 1, i, i + 1})
+      for (const double b : {j - 1, j, j + 1})
+        if (const auto known = at_.find({a, b}); known != at_.end())
+          if ((points[known->second] - p).norm() <= near_) return known->second;
+    at_.try_emplace({i, j}, static_cast<int>(points.size()));
+    points.push_back(p);
+    return static_cast<int>(points.size()) - 1;
+  }
+
+  std::vector<Vector2d> points;
+
+ private:
+  double near_;
+  std::map<std::pair<double, double>, int> at_;
+};
+
+/// Walks along the only path of a drawing, from the start of its first piece if that is possible.
 class PathWalker {
  public:
-  explicit PathWalker(const Drawing& drawing) : graph_(walls_of(drawing)), next_(graph_.vertices.size()) {
-    for (const auto& edge : graph_.edges) {
-      next_[edge.from].push_back(edge.to);
-      next_[edge.to].push_back(edge.from);
-    }
+  explicit PathWalker(const std::vector<Piece>& pieces) : ends_(same_end * mean_length(pieces)) {
+    for (const auto& [a, b] : pieces) join(ends_.number(a), ends_.number(b));
     for (std::size_t v = 0; v < next_.size(); ++v)
       if (next_[v].size() > 2)
-        throw InvalidInput("more than two lines meet at " + point_text(graph_.vertices[v]) +
+        throw InvalidInput("more than two lines meet at " + point_text(ends_.points[v]) +
                            ". Give a drawing of one path");
-    start_ = nearest_start(drawing.front()[0]);
-    second_ = drawing.front()[1];
+    const auto is_end = [](const auto& on) { return on.size() == 1; };
+    if (!is_end(next_[0]))
+      start_ = static_cast<int>(std::find_if(next_.begin(), next_.end(), is_end) - next_.begin()) %
+               static_cast<int>(next_.size());
   }
 
   /// Returns the points of the path; a closed one ends at its first point.
   std::vector<Vector2d> walk() const {
-    std::vector<int> path = {start_};
+    std::vector<Vector2d> out;
     std::vector<bool> seen(next_.size(), false);
-    seen[start_] = true;
-    for (int at = first_step(); at >= 0;) {
-      path.push_back(at);
+    for (int at = start_; at >= 0;) {
+      out.push_back(ends_.points[at]);
       seen[at] = true;
       const std::vector<int>& on = next_[at];
       const auto step = std::find_if(on.begin(), on.end(), [&](int v) { return !seen[v]; });
       at = step == on.end() ? -1 : *step;
     }
-    if (path.size() < next_.size())
+    if (out.size() < next_.size())
       throw InvalidInput(
           "the drawing has several separate paths. Give a drawing of one path: remove frames and holes");
-    if (next_[start_].size() == 2) path.push_back(start_);
-    std::vector<Vector2d> out;
-    for (const int v : path) out.push_back(graph_.vertices[v]);
+    if (next_[start_].size() == 2) out.push_back(out.front());
     return out;
   }
 
@@ -61,43 +92,33 @@ class PathWalker {
     return "[" + number_text(p.x()) + ", " + number_text(p.y()) + "] mm";
   }
 
-  /// Returns the end of the path that is nearest to a point; of a closed path any vertex counts as end.
-  int nearest_start(const Vector2d& p) const {
-    const bool is_open =
-        std::any_of(next_.begin(), next_.end(), [](const auto& on) { return on.size() == 1; });
-    int best = -1;
-    for (int v = 0; v < static_cast<int>(next_.size()); ++v) {
-      if (is_open && next_[v].size() != 1) continue;
-      if (best < 0 || (graph_.vertices[v] - p).norm() < (graph_.vertices[best] - p).norm()) best = v;
-    }
-    return best;
+  /// Adds a piece, unless it has no length or is drawn twice.
+  void join(int a, int b) {
+    next_.resize(ends_.points.size());
+    if (a == b || std::find(next_[a].begin(), next_[a].end(), b) != next_[a].end()) return;
+    next_[a].push_back(b);
+    next_[b].push_back(a);
   }
 
-  int first_step() const {
-    int best = -1;
-    for (const int v : next_[start_])
-      if (best < 0 || (graph_.vertices[v] - second_).norm() < (graph_.vertices[best] - second_).norm())
-        best = v;
-    return best;
-  }
-
-  model::PlanarGraph graph_;
+  NumberedEnds ends_;
   std::vector<std::vector<int>> next_;
-  int start_ = -1;
-  Vector2d second_ = Vector2d::Zero();
+  int start_ = 0;
 };
 
 FilePoints read_path(const std::string& file, bool is_dxf) {
   const std::string text = read_bytes(file, max_drawing_bytes);
-  const Drawing drawing = is_dxf ? parse_dxf(text) : parse_svg(text);
-  double length = 0;
-  for (const auto& [a, b] : drawing) length += (b - a).norm();
-  if (!(length > 0)) throw InvalidInput("the drawing has no lines. Draw the goal as one path");
-  if (drawing.size() > max_curve_points)
-    throw InvalidInput("the drawing has too many lines. Give at most " + std::to_string(max_curve_points));
-  if (!std::isfinite(length)) throw InvalidInput("a line is too long. Check the unit of the drawing");
   FilePoints out{{}, {}, {file}, {}, 1.0};
-  for (const Vector2d& p : PathWalker(drawing).walk()) out.points.emplace_back(p.x(), p.y(), 0);
+  std::vector<Piece> pieces;
+  for (const auto& [from, to] : is_dxf ? parse_dxf(text) : parse_svg(text)) {
+    if (!(from.cwiseAbs().maxCoeff() <= max_coordinate_mm && to.cwiseAbs().maxCoeff() <= max_coordinate_mm))
+      throw InvalidInput("a line ends more than a kilometre from 0. Check the unit of the drawing");
+    pieces.push_back({from, to});
+  }
+  if (pieces.size() > max_curve_points)
+    throw InvalidInput("the drawing has too many lines. Give at most " + std::to_string(max_curve_points));
+  if (pieces.empty() || !(mean_length(pieces) > 0))
+    throw InvalidInput("the drawing has no lines. Draw the goal as one path");
+  for (const Vector2d& p : PathWalker(pieces).walk()) out.points.emplace_back(p.x(), p.y(), 0);
   return out;
 }
 

@@ -76,8 +76,6 @@ double largest_side(const std::vector<Eigen::Vector3d>& points) {
 std::string prepare(FilePoints& points, std::optional<double> unit, PointRequest request) {
   const double size = largest_side(points.points);
   if (points.in_pixels && !unit) ask_for_pixel(size, points.place);
-  if (unit && points.unit_mm == 1.0)
-    throw InvalidInput("the file names its unit, so `units` has no effect. Remove the key", points.place);
   const double mm = unit.value_or(points.unit_mm.value_or(1));
   if (mm != 1)
     for (std::size_t k = 0; k < points.points.size(); ++k) {

@@ -183,7 +183,7 @@ TEST(PointFiles, TakeTheOnlyPathOfADrawing) {
               HasSubstr("more than two lines meet at [40, 0] mm"));
   read.folder.write("none.svg", svg + "</svg>");
   EXPECT_THAT(refusal([&] { read.curve("points: none.svg"); }), HasSubstr("has no lines"));
-  EXPECT_THAT(refusal([&] { read.curve("points: b.svg, units: cm"); }), HasSubstr("Remove the key"));
+  EXPECT_EQ(read.outline("points: b.svg, units: 2").goal.area(), 4800) << "a unit of the target counts";
 }
 
 TEST(PointFiles, JoinLinesOfADxfInAnyOrder) {
