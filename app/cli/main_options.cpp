@@ -167,9 +167,10 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
 }
 
 void add_import(CLI::App& app, CommandOptions& options, ImportRequest& request) {
-  app.add_option("MODEL", request.model,
-                 "a 3MF, STEP, GLB, OBJ, PLY or STL file with hard and soft parts, or a folder of tiles with "
-                 "vertices.txt and constraints.txt")
+  app.add_option(
+         "MODEL", request.model,
+         "a 3MF, STEP, GLB, OBJ, OFF, PLY or STL file with hard and soft parts, or a folder of tiles with "
+         "vertices.txt and constraints.txt")
       ->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for design.yaml and its part files (default: results/NAME)");

@@ -25,11 +25,11 @@ struct FileUse {
   std::string advice;   ///< for another intention, a sentence
 };
 
-constexpr std::string_view picture_endings[] = {".png", ".pbm", ".pgm"};
-constexpr std::string_view mesh_endings[] = {".obj", ".stl", ".ply"};
+constexpr std::string_view picture_endings[] = {".png", ".jpg", ".jpeg", ".pbm", ".pgm"};
+constexpr std::string_view mesh_endings[] = {".obj", ".off", ".stl", ".ply"};
 constexpr std::string_view drawing_endings[] = {".svg", ".dxf"};
 constexpr std::string_view model_endings[] = {".3mf", ".step", ".stp", ".glb"};
-constexpr std::string_view unread_pictures[] = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"};
+constexpr std::string_view unread_pictures[] = {".gif", ".bmp", ".tif", ".tiff", ".webp"};
 
 bool is_one_of(const std::string& ending, const auto& endings) {
   return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
@@ -105,7 +105,7 @@ void refuse_wrong_file(const std::string& file) {
   if (is_one_of(ending, unread_pictures)) {
     const fs::path png = fs::path(path).replace_extension(".png");
     throw InvalidInput(
-        fmt::format("this is a picture, and kinetix reads PNG, PBM and PGM. Convert it to {}. {}",
+        fmt::format("this is a picture, and kinetix reads PNG, JPEG, PBM and PGM. Convert it to {}. {}",
                     png.string(), advice(*use_of(png.string(), ".png"), png)),
         {file});
   }

@@ -5,10 +5,10 @@
 
 #include "app/cad/cad_formats.hpp"
 #include "app/files/file_header.hpp"
+#include "app/models/model_file.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/shells.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -40,7 +40,7 @@ const targets::KeyTable& body_keys() {
   static const targets::KeyTable keys({
       {"name", value::text("its name, once in the file"), targets::needed,
        "name of the body in hinges and results"},
-      {"file", value::text("path of an STL, OBJ or PLY file"), targets::needed,
+      {"file", value::text(std::string("path of a mesh: ") + targets::mesh_formats), targets::needed,
        "surface of the body at rest, mm, as one closed shell. The path is relative to this file"},
       {"position_mm", vector_mm(), targets::otherwise("the center of its volume"),
        "reference point of the body in results"},
@@ -84,7 +84,10 @@ const targets::KeyTable& joint_keys() {
        "clearance between rod and bore of a pin, per side"},
       {"confidence", value::number(share), targets::by_default(1),
        "reliability of the axis: 1 minus the stiffness about it over that about the next axis"},
-      {"file", value::text("path of an STL, OBJ or PLY file"), {}, "the surface of its soft part at rest"},
+      {"file",
+       value::text(std::string("path of a mesh: ") + targets::mesh_formats),
+       {},
+       "the surface of its soft part at rest"},
   });
   return keys;
 }
@@ -147,11 +150,10 @@ Vector3d read_direction(const targets::Node& node) {
 }
 
 model::Polyhedron read_shell(const targets::Node& node) {
-  const std::string file = node.text("path of an STL, OBJ or PLY file");
-  const std::string path = (node.folder().empty() ? "" : node.folder() + "/") + file;
-  const targets::HiddenQuotes hidden(path, node.folder());
-  const targets::TriangleMesh mesh = targets::read_mesh(path);
-  model::Polyhedron solid{mesh.vertices, mesh.triangles};
+  const std::string file = node.text("path of a mesh");
+  const targets::FileMesh read = read_mesh_at(node, read_mesh_file);
+  model::Polyhedron solid{read.mesh.vertices, read.mesh.triangles};
+  for (Vector3d& p : solid.points) p *= read.unit_mm.value_or(1);
   const std::string defect = model::shell_defect(solid);
   if (!defect.empty()) throw node.error("`" + file + "` " + defect);
   return solid;

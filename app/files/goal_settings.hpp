@@ -78,6 +78,8 @@ struct GoalSettings {
   /// Weight of prints against the design itself in a robust search, (0, 1]. Only of kinds that have robust_key().
   /// Empty: no such search.
   std::optional<double> robust = {};
+  /// Guesses about files that the target names, and changes to their content, one sentence each.
+  std::vector<std::string> input_notes = {};
 };
 
 /// Adds notes to a forecast on what the file's process cannot print with cells of this size.

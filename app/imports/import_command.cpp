@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/bodies_section.hpp"
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/io/atomic_file.hpp"
 #include "model/assembly/assembly.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/files/file_header.hpp"
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/box.hpp"
 #include "targets/document/wording.hpp"

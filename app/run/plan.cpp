@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/algorithms.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 
 namespace kinetix::app {
@@ -125,6 +126,7 @@ double compensation_seconds(const GoalSettings& settings, const model::Lattice& 
 }
 
 void add_settings(const GoalSettings& settings, Forecast& forecast) {
+  model::append(settings.input_notes, forecast.notes);
   note_process(settings, forecast.sheet.size(), forecast.notes);
   forecast.search_s += compensation_seconds(settings, forecast.sheet);
 }

@@ -142,6 +142,7 @@ inline void copy_settings(SearchResult& found, const GoalSettings& asked) {
   found.design.process = asked.process;
   found.design.lock = asked.lock;
   found.verify_tolerance = asked.verify_tolerance;
+  found.notes.insert(found.notes.end(), asked.input_notes.begin(), asked.input_notes.end());
 }
 
 /// Returns the outcome of a goal as the caller's type. @pre found.goal has that type

@@ -96,8 +96,8 @@ const l_uint8* data_of(const std::string& bytes) { return reinterpret_cast<const
 
 void check_format(const Header& header) {
   const bool is_grey_pnm = header.format == IFF_PNM && header.samples == 1;
-  if (header.format != IFF_PNG && !is_grey_pnm)
-    throw InvalidInput("is not an image of an allowed format. Give a PNG, PBM or PGM file");
+  if (header.format != IFF_PNG && header.format != IFF_JFIF_JPEG && !is_grey_pnm)
+    throw InvalidInput("is not an image of an allowed format. Give a PNG, JPEG, PBM or PGM file");
 }
 
 void check_size(const Header& header) {
@@ -118,7 +118,7 @@ Header checked_header(const std::string& bytes) {
   if (pixReadHeaderMem(data_of(bytes), bytes.size(), &header.format, &header.width, &header.height,
                        &header.bits, &header.samples, &header.has_colormap) != 0)
     throw InvalidInput(
-        "is not an image that can be read. Give a PNG, PBM or PGM file, a PGM whose largest value is "
+        "is not an image that can be read. Give a PNG, JPEG, PBM or PGM file, a PGM whose largest value is "
         "3, 15, 255 or 65535");
   check_format(header);
   check_size(header);
@@ -131,9 +131,22 @@ PixPointer read_pnm(const std::string& bytes) {
   return pix;
 }
 
+PixPointer read_jpeg(const std::string& bytes) {
+  l_int32 warnings = 0;
+  PixPointer pix(pixReadMemJpeg(data_of(bytes), bytes.size(), 0, 1, &warnings, 0));
+  if (!pix || warnings > 0) throw InvalidInput("is damaged and cannot be decoded. Give a whole JPEG file");
+  return pix;
+}
+
+PixPointer read_pixels(const std::string& bytes) {
+  const int format = checked_header(bytes).format;
+  if (format == IFF_PNG) return read_png(bytes);
+  return format == IFF_JFIF_JPEG ? read_jpeg(bytes) : read_pnm(bytes);
+}
+
 /// Decodes an image to 8 bits per pixel, 0 = black.
 PixPointer decode(const std::string& bytes) {
-  PixPointer pix = checked_header(bytes).format == IFF_PNG ? read_png(bytes) : read_pnm(bytes);
+  PixPointer pix = read_pixels(bytes);
   if (pixGetSpp(pix.get()) == 4) pix = owned(pixAlphaBlendUniform(pix.get(), 0xffffff00));
   return owned(pixConvertTo8(pix.get(), 0));
 }

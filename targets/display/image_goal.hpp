@@ -21,7 +21,7 @@ enum class ImageLevels {
   grey
 };
 
-/// Reads a PNG, PBM or PGM file as ink. A PGM must declare 3, 15, 255 or 65535 as its largest value. Transparent
+/// Reads a PNG, JPEG, PBM or PGM file as ink. A PGM must declare 3, 15, 255 or 65535 as its largest value. Transparent
 /// pixels are white; colours count by their luminance.
 /// @param invert false: dark is ink; true: light is ink.
 /// @throws InvalidInput with the file alone as place. Causes are a missing, unreadable or damaged file, another

@@ -41,7 +41,7 @@ DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::opti
 DisplayGoal read_image_section(const Section& target, const Node& image, const std::optional<PanelSize>& size,
                                double cell_shape) {
   target.node().reject_unknown_keys(display_target_keys().only("image").names());
-  const std::string name = image.text("the path of a PNG, PBM or PGM file");
+  const std::string name = image.text("the path of a PNG, JPEG, PBM or PGM file");
   ImageLevels levels = ImageLevels::two;
   bool invert = false;
   target.read("levels", levels, level_choices);
@@ -82,7 +82,7 @@ const KeyTable& display_target_keys() {
            otherwise("the first of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold whose strokes the "
                      "panel can show"),
            "font of the glyph", "glyph"},
-          {"image", value::text("path of a PNG, PBM or PGM file"), {}, "picture to show"},
+          {"image", value::text("path of a PNG, JPEG, PBM or PGM file"), {}, "picture to show"},
           {"levels", value::choice(level_choices), by_default("2"),
            "levels of the image: 2 (letter and rest), or grey", "image"},
           {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "targets/fold/fold_net.hpp"
+#include "targets/fold/solid.hpp"
 
 namespace kinetix::targets {
 
@@ -18,7 +19,8 @@ std::vector<FoldNet> box_unfoldings(const std::array<int, 3>& edges, std::option
 
 /// A solid cut open into faces of quadrilateral cells (targets/fold/solid_net.hpp).
 struct SolidGoal {
-  int solid = 0;    ///< in solid_names()
+  std::string name;  ///< one of solid_names(), or the file that gives it
+  Solid shape = {};
   int cells = 2;    ///< of half a side of a face, 2 to max_solid_cells
   int columns = 0;  ///< bending columns of each crease; 0: for the search to choose
 };

@@ -150,11 +150,21 @@ FoldGoal read_net(const Section& target, int columns) {
 // Least cells per half side: with one, a single hinge would join two faces, and each would move by itself.
 constexpr int min_solid_cells = 2;
 
-FoldGoal read_solid(const Section& target, const Node& solid, int columns) {
+/// Reads a name or a file of a solid.
+SolidGoal read_shape(const Node& solid, const MeshReader& read) {
+  const std::string text = solid.text("the name of a solid, or the path of a file of one");
+  if (text.find('.') == std::string::npos) {
+    const auto k = static_cast<int>(solid.one_of(as_views(solid_names())));
+    return {solid_names()[k], named_solid(k)};
+  }
+  const FileMesh file = read_mesh_at(solid, read);
+  return {text, solid.located([&] { return solid_of(file.mesh); })};
+}
+
+FoldGoal read_solid(const Section& target, const Node& solid, int columns, const MeshReader& read) {
   target.node().reject_unknown_keys(fold_target_keys().only("solid").names());
   FoldGoal goal;
-  goal.solid = SolidGoal();
-  goal.solid->solid = static_cast<int>(solid.one_of(as_views(solid_names())));
+  goal.solid = read_shape(solid, read);
   goal.solid->columns = columns;
   target.read("cells", goal.solid->cells);
   return goal;
@@ -177,10 +187,14 @@ const KeyTable& fold_target_keys() {
            "face that is omitted",
            {"box", "box_mm"}},
           {"net", net_keys(), "faces that lie side by side, joined by creases"},
-          {"solid", value::choice(solid_names()), no_default,
-           "a solid of equal edges, cut open into one sheet whose creases run in as many directions as its "
-           "edges"},
-          {"cells", value::integer(min_solid_cells, max_solid_cells), by_default(SolidGoal{}.cells),
+          {"solid",
+           value::either(
+               {value::choice(solid_names()), value::text("path of an OBJ, OFF, FOLD or other mesh file")}),
+           no_default,
+           "a convex solid, cut open into one sheet whose creases run in as many directions as its edges. A "
+           "file may "
+           "have up to 60 corners, and edges up to 4 times as long as the shortest"},
+          {"cells", value::integer(min_solid_cells, max_solid_cells), by_default(SolidGoal().cells),
            "cells along half a side of a face", "solid"},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},
@@ -189,7 +203,7 @@ const KeyTable& fold_target_keys() {
   return keys;
 }
 
-FoldGoal read_fold(const Node& node) {
+FoldGoal read_fold(const Node& node, const MeshReader& read) {
   const Section target(node, fold_target_keys());
   const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net"),
              solid = target.optional("solid");
@@ -199,7 +213,7 @@ FoldGoal read_fold(const Node& node) {
     throw target.error(std::string("the target has more than one shape. Give only ") + wanted_shape);
   int columns = 0;
   target.read("crease_columns", columns);
-  if (solid) return read_solid(target, *solid, columns);
+  if (solid) return read_solid(target, *solid, columns, read);
   if (box_mm) return read_box_mm(target, *box_mm, columns);
   return box ? read_box(target, *box, columns) : read_net(target, columns);
 }

@@ -2,6 +2,7 @@
 
 #include "targets/document/section.hpp"
 #include "targets/fold/fold_goal.hpp"
+#include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::targets {
 
@@ -16,9 +17,10 @@ const KeyTable& fold_target_keys();
 ///     columns. Positive angles fold towards +z. Example:
 ///         `faces: [{name: base, cells: [4, 4]}, {name: flap, cells: [4, 2]}]`
 ///         `creases: [{faces: [base, flap], side: top, angle_deg: 90}]`
-///   - `solid: icosahedron` (or another of solid_names()), optionally `cells: 2`, per half side of a face.
+///   - `solid: icosahedron` (or another of solid_names(), or a mesh file), optionally `cells: 2`, per half side of a face.
 /// `crease_columns: 2` applies to every crease; if omitted, the search chooses.
 /// @throws InvalidInput for anything else, each at its place
-FoldGoal read_fold(const Node& target);
+/// @param read for a file of a solid
+FoldGoal read_fold(const Node& target, const MeshReader& read = read_plain_mesh);
 
 }  // namespace kinetix::targets

@@ -85,7 +85,7 @@ double longest_foot(const Solid& solid, const Insets& insets) {
 /// The cells of one face, flat in its own plane.
 class FaceCells {
  public:
-  /// @param foot along each side, from which on its cells are one edge long
+  /// @param foot along each side, from which on its cells are equally long: one edge on the shortest sides
   FaceCells(const Points& polygon, const std::vector<double>& insets, double foot, int cells)
       : cells_(cells), count_(polygon.size()) {
     for (std::size_t k = 0; k < count_; ++k) corners_.push_back(inner_corner(polygon, insets, k));
@@ -115,8 +115,9 @@ class FaceCells {
   Points side(const Points& polygon, const std::vector<double>& insets, double foot, std::size_t k) const {
     const Vector2d along = (polygon[(k + 1) % count_] - polygon[k]).normalized();
     Points out = {corners_[k]};
+    const double pitch = ((polygon[(k + 1) % count_] - polygon[k]).norm() - 2 * foot) / (2 * cells_);
     for (int j = 1; j < 2 * cells_; ++j)
-      out.push_back(polygon[k] + (foot + j) * along + insets[k] * left_of(along));
+      out.push_back(polygon[k] + (foot + j * pitch) * along + insets[k] * left_of(along));
     out.push_back(corners_[(k + 1) % count_]);
     return out;
   }

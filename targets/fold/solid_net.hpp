@@ -29,7 +29,7 @@ struct SolidCrease {
 struct SolidNet {
   Solid solid;
   int columns = 1;  ///< of each crease
-  double edge = 0;  ///< of the folded solid if its cells are as large as flat, cell edges
+  double edge = 0;  ///< shortest, of the folded solid if its cells are as large as flat, cell edges
   model::PlanarStructure structure;
   std::vector<SolidFace> faces;
   std::vector<SolidCrease> creases;

@@ -1,10 +1,10 @@
 #include "targets/helmet/head.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include "model/contact/wall_contact.hpp"
 #include "targets/curve/read_curve.hpp"
+#include "targets/document/length_unit.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/mesh_section.hpp"
@@ -69,10 +69,11 @@ void check_coverage(const Head& head) {
   for (const auto& [way, end] : ways) {
     const double depth = -end.z() - rim_mm;
     if (!(depth >= head.coverage_mm))
-      throw InvalidHead("coverage_mm", "goes beyond the mesh: to the " + std::string(way) +
+      throw InvalidHead("coverage_mm", "`coverage_mm: " + number_text(head.coverage_mm) +
+                                           "` goes beyond the mesh: to the " + way +
                                            " the head can be followed down to " +
                                            number_text(std::max(0.0, std::floor(depth))) +
-                                           " mm below the crown. Give at most that");
+                                           " mm below the crown. Give `coverage_mm` of at most that");
   }
 }
 
@@ -87,7 +88,12 @@ Vector3d top_of(const TriangleMesh& dome, const Vector3d& core) {
 }  // namespace
 
 Head make_head(const TriangleMesh& mesh, const HeadPose& pose) {
-  TriangleMesh turned = head_mesh(mesh, pose.unit);
+  TriangleMesh turned = near_crown(head_mesh(mesh, pose.unit_mm), pose.up);
+  if (is_face_scan(turned, pose.up))
+    throw InvalidHead(
+        "mesh",
+        "the mesh shows one side of a head alone, as a scan of a face does. Give a mesh of the whole "
+        "head, the direction of its top by `up`, or a goal of `kind: surface` with ribs");
   const Eigen::Isometry3d to_mesh = head_frame(turned, pose), to_head = to_mesh.inverse();
   for (Vector3d& p : turned.vertices) p = to_head * p;
   const Vector3d core(0, 0, -core_depth_mm);
@@ -163,16 +169,7 @@ namespace {
 
 // Range of the crown's coordinates, mm, as for points of curves.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
-TriangleMesh read_mesh_of(const Node& mesh) {
-  const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
-  const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
-  const HiddenQuotes hidden(file, mesh.folder());
-  try {
-    return read_mesh(file);
-  } catch (const InvalidInput& e) {
-    throw mesh.error(e.what());
-  }
-}
+const Bounds head_bounds = from_to(100, 300, "mm");  // of the length of a head: from a child's to a mascot's
 
 // Words of the keys `up` and `front`: unit vectors in the mesh's axes.
 const Word<Vector3d> axes[] = {
@@ -180,15 +177,32 @@ const Word<Vector3d> axes[] = {
     {"+x", Vector3d::UnitX()},  {"+y", Vector3d::UnitY()},  {"+z", Vector3d::UnitZ()},
     {"-x", -Vector3d::UnitX()}, {"-y", -Vector3d::UnitY()}, {"-z", -Vector3d::UnitZ()}};
 
+/// Returns "+y" for the unit vector along y.
+std::string axis_name(const Vector3d& axis) {
+  Eigen::Index k = 0;
+  axis.cwiseAbs().maxCoeff(&k);
+  return std::string(axis[k] < 0 ? "-" : "+") + "xyz"[k];
+}
+
 Vector3d read_crown(const Node& crown) {
   const auto xyz = crown.list_of(3, "a point [x, y, z], in mm and in the mesh's axes");
   return {xyz[0].number(coordinate), xyz[1].number(coordinate), xyz[2].number(coordinate)};
 }
 
-HeadPose read_pose(const Section& target) {
+/// Reads the pose of a mesh. Directions and units that the file leaves out follow from the mesh.
+HeadPose read_pose(const Section& target, const FileMesh& file, std::vector<std::string>& notes) {
   HeadPose pose;
-  target.read("units", pose.unit, length_units);
-  target.read("up", pose.up, axes);
+  if (target.optional("up"))
+    target.read("up", pose.up, axes);
+  else if (pose.up = likely_up(file.mesh).up; pose.up != Vector3d::UnitZ())
+    notes.push_back("by its shape, the head points up along " + axis_name(pose.up) +
+                    " of the mesh. Give `up` if this is wrong");
+  const std::optional<double> unit = read_unit(target, "units");
+  pose.unit_mm = unit.value_or(file.unit_mm.value_or(1));
+  if (const auto length = target.optional("head_mm")) {
+    if (unit) throw length->key_error("cannot be combined with `units`. Remove one of the two keys");
+    pose.unit_mm = length->number(head_bounds) / head_length(file.mesh, pose.up);
+  }
   target.read("front", pose.front, axes);
   if (const auto crown = target.optional("crown")) pose.crown = read_crown(*crown);
   target.read("coverage_mm", pose.coverage_mm);
@@ -199,9 +213,15 @@ HeadPose read_pose(const Section& target) {
 
 std::vector<Key> head_keys() {
   return {
-      {"mesh", value::text("path of an OBJ, STL or PLY file"), needed, "a mesh of a head"},
-      {"units", value::choice(length_units), by_default("mm"), "unit of the mesh"},
-      {"up", value::choice(axes), by_default("z"), "axis of the mesh that points up"},
+      {"mesh", value::text(std::string("path of a mesh: ") + mesh_formats), needed, "a mesh of a head"},
+      {"units", unit_type(), otherwise("the unit that the file names, or mm"),
+       "unit of the mesh, or the mm in one unit of it"},
+      {"head_mm", value::number(head_bounds), no_default,
+       "length of the head from front to back, above nose and ears, for a mesh without a known unit. It "
+       "replaces "
+       "`units`"},
+      {"up", value::choice(axes), otherwise("z, unless another axis fits a head better"),
+       "axis of the mesh that points up"},
       {"front", value::choice(axes), otherwise("the direction in which the top of the head is longer"),
        "axis of the mesh that points to the face"},
       {"crown", value::list(value::number(coordinate), "`[x, y, z]`", 3, 3), otherwise("the highest point"),
@@ -214,12 +234,15 @@ Key coverage_key() {
           "height of the crown above the rim"};
 }
 
-Head read_head(const Section& target) {
-  const Node file = target.required("mesh", "the path of an OBJ, STL or PLY file of a head");
-  const HeadPose pose = read_pose(target);
-  const TriangleMesh mesh = read_mesh_of(file);
+Head read_head(const Section& target, const MeshReader& read) {
+  const Node file = target.required("mesh", "the path of a mesh of a head");
+  const FileMesh mesh = read_mesh_at(file, read);
+  std::vector<std::string> notes;
+  const HeadPose pose = read_pose(target, mesh, notes);
   try {
-    return make_head(mesh, pose);
+    Head head = make_head(mesh.mesh, pose);
+    head.notes = std::move(notes);
+    return head;
   } catch (const InvalidHead& e) {
     throw target.optional(e.key()).value_or(file).error(e.reason());
   }

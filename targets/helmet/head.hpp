@@ -4,6 +4,7 @@
 #include "targets/curve/space_curve.hpp"
 #include "targets/document/section.hpp"
 #include "targets/helmet/head_pose.hpp"
+#include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/mesh_solid.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 
@@ -52,7 +53,8 @@ struct Head {
   double coverage_mm;  ///< how far below the crown the head is to be covered
   /// Part of the dome's vertices that lie over holes of the scan, [0, 1].
   double closed_part;
-  std::vector<DomeOpening> openings;  ///< holes above the coverage
+  std::vector<DomeOpening> openings;    ///< holes above the coverage
+  std::vector<std::string> notes = {};  ///< what was guessed about the mesh, one sentence each
 };
 
 /// Finds crown, dome and profile.
@@ -81,13 +83,13 @@ WallsInside walls_inside(const model::Linkage& structure, const model::State& st
 std::vector<Key> head_keys();
 Key coverage_key();
 
-/// Reads the head of a target section. `mesh` is an OBJ, STL or PLY file, relative to the document's folder. All other
-/// keys are optional:
-///   - `units`: mm, cm, m or in; default mm.
-///   - `up` and `front`: x, -x, +x, y, ...; default z, and the axis along which the head is longer.
+/// Reads the head of a target section. `mesh` is a file relative to the document's folder. All other keys are optional:
+///   - `units`: mm, cm, dm, m, in or a number of mm; by default that of the file, or mm.
+///   - `head_mm`: length of the head, in place of `units`.
+///   - `up` and `front`: x, -x, +x, y, ...; by default found by the shape, and the axis along which the head is longer.
 ///   - `crown`: [x, y, z] in mm and in the mesh's axes; default the highest point.
 ///   - `coverage_mm`: depth below the crown; default 90.
 /// @throws InvalidInput at the key at fault for what read_mesh and make_head refuse
-Head read_head(const Section& target);
+Head read_head(const Section& target, const MeshReader& read = read_plain_mesh);
 
 }  // namespace kinetix::targets

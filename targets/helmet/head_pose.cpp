@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "targets/document/length_unit.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::targets {
@@ -16,42 +17,17 @@ constexpr double fragment_gap_mm = 5;
 constexpr double length_depth_mm = 60;
 /// Largest side, mm, of the box of a usual head. The unit that comes nearest to it is suggested.
 constexpr double usual_head_mm = 250;
-struct NamedUnit {
-  LengthUnit unit;
-  const char* name;
-  double mm;
-};
-/// Names of the key `units`, and the mm in each.
-constexpr std::array<NamedUnit, 4> units = {{{LengthUnit::mm, "mm", 1},
-                                             {LengthUnit::cm, "cm", 10},
-                                             {LengthUnit::m, "m", 1000},
-                                             {LengthUnit::inch, "in", 25.4}}};
-
-const NamedUnit& named(LengthUnit unit) {
-  return *std::find_if(units.begin(), units.end(), [&](const NamedUnit& u) { return u.unit == unit; });
-}
-
-bool is_size_of_head(double mm) { return mm >= min_head_mm && mm <= max_head_mm; }
-
-/// Returns advice for a mesh of this size in the file's units.
-std::string remedy(double size) {
-  const auto strangeness = [&](const NamedUnit& u) {
-    return std::abs(std::log(size * u.mm / usual_head_mm));
-  };
-  const auto best = std::min_element(units.begin(), units.end(), [&](const NamedUnit& a, const NamedUnit& b) {
-    return strangeness(a) < strangeness(b);
-  });
-  if (!is_size_of_head(size * best->mm)) return ", with any of the units mm, cm, m and in. Scale the mesh";
-  return ". Give `units: " + std::string(best->name) + "` for " + number_text(size * best->mm) + " mm";
-}
+/// Distance from the crown, mm, up to which a whole body is taken: below it are the shoulders.
+constexpr double body_reach_mm = 300;
 
 /// @param mesh in mm
-void check_size(const TriangleMesh& mesh, LengthUnit unit) {
+void check_size(const TriangleMesh& mesh, double unit_mm) {
   const double size = bounds(mesh).sizes().maxCoeff();
-  if (is_size_of_head(size)) return;
-  throw InvalidHead("units", "in " + std::string(named(unit).name) + " the mesh is " + number_text(size) +
-                                 " mm long, and a head or a bust is " + number_text(min_head_mm) + " to " +
-                                 number_text(max_head_mm) + " mm" + remedy(size / mm_per(unit)));
+  if (size >= min_head_mm && size <= max_body_mm) return;
+  throw InvalidHead("units", "the mesh is " + number_text(size) + " mm long, and a head or a bust is " +
+                                 number_text(min_head_mm) + " to " + number_text(max_head_mm) + " mm. " +
+                                 advise_unit(size / unit_mm, usual_head_mm, min_head_mm, max_head_mm) +
+                                 ", or the length of the head by `head_mm`");
 }
 
 /// Returns the head frame's axes in those of the mesh, as columns.
@@ -114,14 +90,120 @@ Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
 
 }  // namespace
 
-double mm_per(LengthUnit unit) { return named(unit).mm; }
-
-TriangleMesh head_mesh(const TriangleMesh& mesh, LengthUnit unit) {
+TriangleMesh head_mesh(const TriangleMesh& mesh, double unit_mm) {
   TriangleMesh scaled = mesh;
-  for (Vector3d& p : scaled.vertices) p *= mm_per(unit);
+  for (Vector3d& p : scaled.vertices) p *= unit_mm;
+  check_size(scaled, unit_mm);
   const TriangleMesh head = without_fragments(scaled, fragment_gap_mm);
-  check_size(head, unit);
+  check_size(head, unit_mm);
   return head;
+}
+
+TriangleMesh near_crown(const TriangleMesh& mesh, const Vector3d& up) {
+  if (!(bounds(mesh).sizes().maxCoeff() > max_head_mm)) return mesh;
+  const Vector3d crown = highest(mesh, up);
+  TriangleMesh near{mesh.vertices, {}};
+  for (const Triangle& t : mesh.triangles) {
+    const auto is_near = [&](int v) { return (mesh.vertices[v] - crown).norm() <= body_reach_mm; };
+    if (is_near(t[0]) && is_near(t[1]) && is_near(t[2])) near.triangles.push_back(t);
+  }
+  return joined(near);
+}
+
+namespace {
+
+/// Parts of a mesh above levels below its top, along one direction.
+class UpperParts {
+ public:
+  UpperParts(const TriangleMesh& mesh, const Vector3d& up) : mesh_(mesh), up_(up) {
+    for (const Vector3d& p : mesh.vertices) height_.push_back(p.dot(up));
+    for (const Triangle& t : mesh.triangles)
+      for (const int v : t) top_ = std::max(top_, height_[v]);
+  }
+
+  /// Returns the longer and the shorter side, across `up`, of the box of the part above a depth.
+  std::array<double, 2> sides(double depth) const {
+    const double level = top_ - depth;
+    Eigen::AlignedBox3d box;
+    for (const Triangle& t : mesh_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const int a = t[k], b = t[(k + 1) % 3];
+        if (height_[a] >= level) box.extend(mesh_.vertices[a]);
+        if ((height_[a] >= level) == (height_[b] >= level)) continue;
+        const double part = (level - height_[a]) / (height_[b] - height_[a]);
+        box.extend(Vector3d((1 - part) * mesh_.vertices[a] + part * mesh_.vertices[b]));
+      }
+    const Vector3d across = box.isEmpty() ? Vector3d(Vector3d::Zero())
+                                          : Vector3d(box.sizes() - up_.cwiseAbs().cwiseProduct(box.sizes()));
+    const double longer = across.maxCoeff();
+    return {longer, across.sum() - longer};
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  const Vector3d up_;
+  std::vector<double> height_;
+  double top_ = -std::numeric_limits<double>::infinity();
+};
+
+// Semi-axes of a usual head, over its length: half its length, half its breadth, and the height above the level at
+// which it is longest. They are those of targets/shapes/generate_headform.py.
+constexpr double half_length = 0.5, half_breadth = 0.39, upper_height = 0.49;
+constexpr double depth_of_length = 0.4;             // of the length: above nose and ears
+constexpr double levels[] = {0.03, 0.1, 0.2, 0.4};  // depths at which sections are compared, over the length
+constexpr double clear_difference = 0.1;  // of misfits: an axis other than +z must fit better by this
+constexpr double one_sided_normal =
+    0.3;  // mean normal over the area, from which a mesh shows one side; half a sphere has 1/2
+
+double misfit_of(const TriangleMesh& mesh, const Vector3d& up) {
+  const double length = head_length(mesh, up);
+  if (!(length > 0)) return std::numeric_limits<double>::infinity();
+  const UpperParts parts(mesh, up);
+  double sum = 0;
+  for (const double depth : levels) {
+    const double rest = 1 - std::min(depth / upper_height, 1.0), share = std::sqrt(1 - rest * rest);
+    const auto [longer, shorter] = parts.sides(depth * length);
+    sum += std::abs(std::log(longer / (2 * half_length * share * length)));
+    sum += std::abs(std::log(std::max(shorter, 1e-6 * length) / (2 * half_breadth * share * length)));
+  }
+  return sum / (2 * static_cast<double>(std::size(levels)));
+}
+
+}  // namespace
+
+double head_length(const TriangleMesh& mesh, const Vector3d& up) {
+  const UpperParts parts(mesh, up);
+  double lower = 0, upper = bounds(mesh).sizes().norm();
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (lower + upper) / 2;
+    (parts.sides(depth_of_length * middle)[0] > middle ? lower : upper) = middle;
+  }
+  return (lower + upper) / 2;
+}
+
+LikelyUp likely_up(const TriangleMesh& mesh) {
+  LikelyUp best{Vector3d::UnitZ(), misfit_of(mesh, Vector3d::UnitZ())};
+  best.misfit -= clear_difference;
+  for (const Vector3d& up :
+       {Vector3d(Vector3d::UnitY()), Vector3d(Vector3d::UnitX()), Vector3d(-Vector3d::UnitY()),
+        Vector3d(-Vector3d::UnitZ()), Vector3d(-Vector3d::UnitX())}) {
+    const double misfit = misfit_of(mesh, up);
+    if (misfit < best.misfit) best = {up, misfit};
+  }
+  if (best.up == Vector3d::UnitZ()) best.misfit += clear_difference;
+  return best;
+}
+
+bool is_face_scan(const TriangleMesh& mesh, const Vector3d& up) {
+  Vector3d sum = Vector3d::Zero();
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vector3d normal = area_normal(mesh, t);
+    sum += normal;
+    area += normal.norm();
+  }
+  const double across = (sum - sum.dot(up) * up).norm();
+  return across > one_sided_normal * area && across > std::abs(sum.dot(up));
 }
 
 Eigen::Isometry3d head_frame(const TriangleMesh& mesh, const HeadPose& pose) {

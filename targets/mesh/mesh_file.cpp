@@ -12,16 +12,18 @@
 #include "targets/document/wording.hpp"
 #include "targets/mesh/assimp_module.hpp"
 #include "targets/mesh/mesh_tokens.hpp"
+#include "targets/mesh/off_mesh.hpp"
 #include "targets/mesh/ply_mesh.hpp"
 
 namespace kinetix::targets {
 namespace {
 
-// End of messages about files without a mesh.
-constexpr const char* wanted = ". Give an OBJ, STL or PLY file of triangles or polygons";
+/// Returns the end of messages about files without a mesh.
+std::string wanted_mesh() { return std::string(". Give a file of triangles or polygons: ") + mesh_formats; }
 
 TriangleMesh parse(const std::string& bytes, const std::string& ending) {
   if (ending == ".ply") return parse_ply(bytes);
+  if (ending == ".off") return parse_off(bytes);
   if (ending == ".obj") {
     const std::string strict = strict_obj(bytes);
     return strict.find('f') == std::string::npos ? TriangleMesh() : assimp_mesh(strict, "obj");
@@ -31,7 +33,7 @@ TriangleMesh parse(const std::string& bytes, const std::string& ending) {
 }
 
 void check(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) throw InvalidInput(std::string("has no triangles") + wanted);
+  if (mesh.triangles.empty()) throw InvalidInput("has no triangles" + wanted_mesh());
   if (mesh.triangles.size() > max_mesh_triangles)
     throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
                        " are allowed. Thin the mesh out");
@@ -44,8 +46,8 @@ void check(const TriangleMesh& mesh) {
 
 TriangleMesh read_mesh(const std::string& file) {
   const std::string ending = lower_case(std::filesystem::path(file).extension().string());
-  if (ending != ".obj" && ending != ".stl" && ending != ".ply")
-    throw InvalidInput("has no known ending of a mesh format" + std::string(wanted), {file});
+  if (ending != ".obj" && ending != ".stl" && ending != ".ply" && ending != ".off")
+    throw InvalidInput("has no known ending of a mesh format" + wanted_mesh(), {file});
   const std::string bytes = read_bytes(file, max_mesh_bytes);
   try {
     const TriangleMesh mesh = parse(bytes, ending);
@@ -53,6 +55,17 @@ TriangleMesh read_mesh(const std::string& file) {
     return joined(mesh);
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {file, e.place().line, e.place().column, {}});
+  }
+}
+
+FileMesh read_mesh_at(const Node& key, const MeshReader& read) {
+  const std::string name = key.text(std::string("the path of a mesh: ") + mesh_formats);
+  const std::string file = (std::filesystem::path(key.folder()) / name).string();
+  const HiddenQuotes hidden(file, key.folder());
+  try {
+    return read(file);
+  } catch (const InvalidInput& e) {
+    throw key.error(e.what());
   }
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
+#include "targets/document/document.hpp"
 #include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::targets {
@@ -14,13 +17,32 @@ inline constexpr std::size_t max_mesh_triangles = 3'000'000;
 /// Most corners of one face of a file: larger fans are not polygons that a program would write, but damage.
 inline constexpr std::size_t max_face_corners = 256;
 
-/// Reads the triangles of an OBJ, STL or PLY file (distinguished by its ending), in the file's units and axes.
+/// Formats of meshes that the program reads, for messages and tables of keys. STEP, 3MF and GLB need a reader of another
+/// room (MeshReader).
+inline constexpr const char* mesh_formats = "3MF, GLB, OBJ, OFF, PLY, STEP or STL";
+
+/// Reads the triangles of an OBJ, OFF, STL or PLY file (distinguished by its ending), in the file's units and axes.
 /// Polygons are cut into triangles, and equal vertices are joined. Lines and points, normals, colours, groups and
 /// materials are ignored.
 /// @throws InvalidInput with the file, and for text formats the line, as place. Causes are a missing or unreadable
 /// file, another format, over 256 MiB or 3 million triangles, and no triangles. Damaged files (cut short, indices of
 /// missing vertices) and vertices that are not finite also throw.
 TriangleMesh read_mesh(const std::string& file);
+
+/// Mesh of a file, in the file's units.
+struct FileMesh {
+  TriangleMesh mesh;
+  std::optional<double> unit_mm = {};  ///< mm in one of its units; empty: the file does not name its unit
+};
+
+/// Function that reads a mesh file, as read_mesh does.
+using MeshReader = std::function<FileMesh(const std::string& file)>;
+
+/// Reads a file by read_mesh.
+inline FileMesh read_plain_mesh(const std::string& file) { return {read_mesh(file)}; }
+
+/// Reads the file that a key names, relative to the document's folder. @throws InvalidInput at the key's place
+FileMesh read_mesh_at(const Node& key, const MeshReader& read);
 
 /// Triangles of an OBJ or STL file by assimp, not joined, in the file's units.
 /// @param bytes what strict_obj or strict_stl gave: assimp may crash or hang on damaged files

@@ -78,8 +78,7 @@ double MeshTokens::number_in(std::string_view text, const char* what) const {
 double MeshTokens::number(const char* what) { return number_in(word(), what); }
 double MeshTokens::number_of_any_line(const char* what) { return number_in(word_of_any_line(), what); }
 
-long MeshTokens::integer_of_any_line(const char* what) {
-  const std::string_view text = word_of_any_line();
+long MeshTokens::integer_in(std::string_view text, const char* what) const {
   long integer = 0;
   if (text.empty())
     throw error(std::string("ends where ") + what + " is expected: the file is damaged. Export it again");

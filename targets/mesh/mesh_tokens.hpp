@@ -29,14 +29,16 @@ class MeshTokens {
   /// Reads the next word, of this line or a later one, as a number, in the file's units. @throws InvalidInput unless
   /// it is a finite one
   double number_of_any_line(const char* what);
-  long integer_of_any_line(const char* what);
+  /// Reads a word as a number, in the file's units. @throws InvalidInput at the last word unless it is a finite one
+  double number_in(std::string_view text, const char* what) const;
+  /// Reads a word as a whole number. @throws InvalidInput at the last word unless it is one
+  long integer_in(std::string_view text, const char* what) const;
 
   /// Returns an error at the last word.
   InvalidInput error(const std::string& fault_text) const;
 
  private:
   void skip_blanks();
-  double number_in(std::string_view text, const char* what) const;
 
   std::string_view text_;
   bool backslash_continues_;

@@ -50,6 +50,9 @@ struct PlyHeader {
 
 using Number = PlyHeader::Number;
 
+// Most corners of strips in one list: as many as the allowed triangles need, with ends of strips between them.
+constexpr std::size_t max_strip_corners = 2 * max_mesh_triangles;
+
 // Longest header, bytes: real ones have hundreds. The limit avoids a search through a whole file.
 constexpr std::size_t longest_header = 1 << 16;
 
@@ -251,6 +254,8 @@ class PlyReader {
     for (const PlyHeader::Element& element : header_.elements) {
       if (element.name == "vertex" && mesh_.vertices.empty())
         read_vertices(element);
+      else if (element.name == "tristrips")
+        read_strips(element, corners_of(element));
       else
         read_faces(element, element.name == "face" ? corners_of(element) : -1);
     }
@@ -293,22 +298,51 @@ class PlyReader {
       }
   }
 
-  void read_property(const PlyHeader::Property& property) {
+  /// @param corners position of the property that lists the corners of strips; -1 to skip the element
+  void read_strips(const PlyHeader::Element& element, int corners) {
+    if (element.properties.empty()) return;
+    for (std::size_t s = 0; s < element.count; ++s)
+      for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
+        read_property(element.properties[k], max_strip_corners);
+        if (k == corners) add_strips();
+      }
+  }
+
+  /// Adds the triangles of strips: each corner makes one with the two before it. A corner of -1 ends a strip.
+  void add_strips() {
+    std::size_t start = 0;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (values_[k] == -1) {
+        start = k + 1;
+        continue;
+      }
+      if (k < start + 2) continue;
+      const bool is_odd = (k - start) % 2 == 1;
+      const Triangle triangle = {corner(is_odd ? k - 1 : k - 2), corner(is_odd ? k - 2 : k - 1), corner(k)};
+      const bool has_area =
+          triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0];
+      if (has_area) add_triangle(triangle);
+    }
+  }
+
+  void read_property(const PlyHeader::Property& property, std::size_t most = max_face_corners) {
     const double length = property.is_list ? numbers_->next(property.count) : 1;
-    if (!(length >= 0 && length <= static_cast<double>(max_face_corners)) || length != std::floor(length))
+    if (!(length >= 0 && length <= static_cast<double>(most)) || length != std::floor(length))
       throw numbers_->error("is damaged: a list of " + number_text(length) + " entries; at most " +
-                            std::to_string(max_face_corners) + " are allowed");
+                            std::to_string(most) + " are allowed");
     values_.clear();
     for (int k = 0; k < static_cast<int>(length); ++k) values_.push_back(numbers_->next(property.number));
   }
 
   void add_face() {
-    for (std::size_t k = 2; k < values_.size(); ++k) {
-      if (mesh_.triangles.size() == max_mesh_triangles)
-        throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                           " are allowed. Thin the mesh out");
-      mesh_.triangles.push_back({corner(0), corner(k - 1), corner(k)});
-    }
+    for (std::size_t k = 2; k < values_.size(); ++k) add_triangle({corner(0), corner(k - 1), corner(k)});
+  }
+
+  void add_triangle(const Triangle& triangle) {
+    if (mesh_.triangles.size() == max_mesh_triangles)
+      throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
+                         " are allowed. Thin the mesh out");
+    mesh_.triangles.push_back(triangle);
   }
 
   int corner(std::size_t k) const {

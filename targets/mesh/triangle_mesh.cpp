@@ -48,6 +48,76 @@ TriangleMesh joined(const TriangleMesh& mesh) {
 
 namespace {
 
+/// Edges of a mesh that two triangles share, by their vertices in ascending order.
+class SharedEdges {
+ public:
+  explicit SharedEdges(const TriangleMesh& mesh) : mesh_(mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) triangles_[edge(t, k)].push_back(static_cast<int>(t));
+  }
+
+  /// Returns the triangle beyond side k of a triangle; -1 for an edge of one triangle or of more than two.
+  int beyond(int triangle, int k) const {
+    const std::vector<int>& at = triangles_.at(edge(triangle, k));
+    if (at.size() != 2 || at[0] == at[1]) return -1;
+    return at[0] == triangle ? at[1] : at[0];
+  }
+
+  /// Whether two triangles run along side k of the first one in the same direction.
+  bool runs_along(int triangle, int k, int other) const {
+    const Triangle& t = mesh_.triangles[other];
+    for (int side = 0; side < 3; ++side)
+      if (t[side] == mesh_.triangles[triangle][k] &&
+          t[(side + 1) % 3] == mesh_.triangles[triangle][(k + 1) % 3])
+        return true;
+    return false;
+  }
+
+ private:
+  std::pair<int, int> edge(std::size_t triangle, int k) const {
+    return std::minmax<int>({mesh_.triangles[triangle][k], mesh_.triangles[triangle][(k + 1) % 3]});
+  }
+
+  const TriangleMesh& mesh_;
+  std::map<std::pair<int, int>, std::vector<int>> triangles_;
+};
+
+void flip(TriangleMesh& mesh, const std::vector<int>& triangles) {
+  for (const int t : triangles) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+}
+
+}  // namespace
+
+TriangleMesh wound_alike(const TriangleMesh& mesh) {
+  TriangleMesh out = mesh;
+  std::erase_if(out.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  const TriangleMesh given = out;
+  const SharedEdges edges(given);
+  std::vector<int> turn(given.triangles.size(), 0);  // 1: as given, -1: flipped, 0: not reached yet
+  for (std::size_t start = 0; start < turn.size(); ++start) {
+    if (turn[start] != 0) continue;
+    turn[start] = 1;
+    std::vector<int> part = {static_cast<int>(start)}, flipped, kept;
+    double area = 0;  // of triangles that keep their winding, less that of the others
+    for (std::size_t next = 0; next < part.size(); ++next) {
+      const int t = part[next];
+      (turn[t] < 0 ? flipped : kept).push_back(t);
+      area += turn[t] * area_normal(given, t).norm();
+      for (int k = 0; k < 3; ++k) {
+        const int other = edges.beyond(t, k);
+        if (other < 0 || turn[other] != 0) continue;
+        turn[other] = edges.runs_along(t, k, other) ? -turn[t] : turn[t];
+        part.push_back(other);
+      }
+    }
+    flip(out, area < 0 ? kept : flipped);
+  }
+  return out;
+}
+
+namespace {
+
 // Least area of a part that is kept, as a fraction of the area of the largest part. Smaller ones that float next to it
 // are noise of a scan; larger ones may be half a head.
 constexpr double min_part = 0.1;

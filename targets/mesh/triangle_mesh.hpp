@@ -37,6 +37,10 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 /// no triangle uses are left out.
 TriangleMesh joined(const TriangleMesh& mesh);
 
+/// Returns the mesh with triangles that run along shared edges in opposite directions, as far as that is possible.
+/// Each part keeps the winding of most of its area. Triangles without area are left out.
+TriangleMesh wound_alike(const TriangleMesh& mesh);
+
 /// Returns the mesh without parts that float next to it: those farther than about `gap` mm from all others, with less
 /// than a tenth of the area of the largest. Vertices in the same or in adjacent bins of that size count as near, so
 /// cracks between triangles do not split a mesh. @pre gap > 0

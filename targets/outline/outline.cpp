@@ -243,13 +243,26 @@ const std::string second_axis = "y";
 const KeyTable& outline_target_keys() {
   static const KeyTable keys({
       goal_kind_key("outline"),
-      {"points", points_type(second_axis), needed,
-       "outline of the pressed panel, in mm: closed, not crossing itself. The CSV file has the header `x,y`, "
-       "then one point per row. The last point may repeat the first"},
-      {"flat", points_type(second_axis), otherwise("the panel's own"),
+      {"points", points_type(second_axis, true), needed,
+       "outline of the pressed panel, in mm: closed, not crossing itself. A table has one point per row, and "
+       "may start "
+       "with the header `x,y`. A drawing has one path, and a picture a dark shape. The last point may repeat "
+       "the "
+       "first"},
+      point_keys()[0],
+      point_keys()[1],
+      {"flat", points_type(second_axis, true), otherwise("the panel's own"),
        "outline of the flat panel, in mm, in the same form. Lengths of walls follow from it"},
   });
   return keys;
+}
+
+Outline read_outline(const Section& target, std::string_view key, bool checks_size,
+                     std::vector<std::string>& notes) {
+  PlanePoints read = read_points(target, key, {{{"x", second_axis}, max_curve_points, true}, checks_size});
+  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+  return make_from_points(std::move(read),
+                          [](std::vector<Eigen::Vector2d> p) { return Outline(std::move(p)); });
 }
 
 Outline read_outline(const Node& points) {

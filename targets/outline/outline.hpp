@@ -70,7 +70,11 @@ Outline turned(const Outline& outline, double angle);
 /// Returns every key of a `target:` section of kind outline.
 const KeyTable& outline_target_keys();
 
-/// Reads the outline under a key (read_points, with the second axis y).
+/// Reads the outline under a key of a target section. @param notes to which what was mended is added
+/// @param checks_size see GoalPoints
+Outline read_outline(const Section& target, std::string_view key, bool checks_size,
+                     std::vector<std::string>& notes);
+/// Reads an outline from a value of such a key (read_points, with the second axis y).
 /// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_points, or for what Outline
 /// refuses
 Outline read_outline(const Node& points);

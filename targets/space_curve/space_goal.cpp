@@ -180,14 +180,18 @@ const KeyTable& space_curve_target_keys() {
   static const KeyTable keys({
       goal_kind_key("space_curve"),
       {"points", space_points_type(max_space_points), needed,
-       "the goal, in mm: open, not meeting itself. The CSV file has the header `x,y,z`, then one point a "
-       "row"},
+       "the goal, in mm: open, not meeting itself. A table has one point per row, and may start with the "
+       "header "
+       "`x,y,z`"},
+      point_keys()[0],
+      point_keys()[1],
   });
   return keys;
 }
 
-ReadSpaceGoal read_space_goal(const Node& points) {
-  SpacePoints read = read_space_points(points, max_space_points);
+ReadSpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes) {
+  SpacePoints read = read_space_points(target, "points", {{{"x", "y", "z"}, max_space_points}, checks_size});
+  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   std::vector<Place> places = read.places;
   return {make_from_points(std::move(read),
                            [](std::vector<Eigen::Vector3d> p) { return SpaceGoal(std::move(p)); }),

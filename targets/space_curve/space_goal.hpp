@@ -59,9 +59,10 @@ struct ReadSpaceGoal {
   std::vector<Place> places;  ///< of each point
 };
 
-/// The goal under a key (read_space_points).
+/// Reads the goal of a target section (read_space_points). @param notes for what is mended.
+/// @param checks_size see GoalPoints.
 /// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_space_points, or for what
 /// SpaceGoal refuses
-ReadSpaceGoal read_space_goal(const Node& points);
+ReadSpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes);
 
 }  // namespace kinetix::targets

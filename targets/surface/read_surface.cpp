@@ -1,11 +1,9 @@
 #include "targets/surface/ribbed_surface.hpp"
 
-#include <filesystem>
-
 #include "model/base/geometry.hpp"
 #include "targets/curve/read_curve.hpp"
+#include "targets/document/length_unit.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/helmet/head_pose.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/surface/revolution.hpp"
 
@@ -18,8 +16,9 @@ constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}
 const Bounds arc_turn = {0, 360, false, true, "degrees"};  // of arcs: shapes allow less
 const Bounds size = from_to(1, 5000, "mm");                // of surfaces: a fingertip to a room
 constexpr double min_side = 20, most_side = 5000;          // mm, of the box of a mesh that ribs go over
-constexpr double whole_turn = 360 * radians_per_degree;    // rad: ribs go all round a profile
-const char* const height_axis = "z";                       // of points of a profile, behind x, the radius
+constexpr double usual_side = 200;                       // mm: the unit that comes nearest to it is suggested
+constexpr double whole_turn = 360 * radians_per_degree;  // rad: ribs go all round a profile
+const char* const height_axis = "z";                     // of points of a profile, behind x, the radius
 
 /// Sizes of shapes, as requested or by default.
 struct Sizes {
@@ -38,22 +37,16 @@ void refuse(const Section& target, std::initializer_list<const char*> keys, cons
     if (const auto node = target.optional(key)) throw node->key_error(why);
 }
 
-TriangleMesh in_mm(TriangleMesh mesh, LengthUnit unit) {
-  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= mm_per(unit);
+TriangleMesh read_mesh_in_mm(const Section& target, const Node& node, const MeshReader& read) {
+  const std::optional<double> unit = read_unit(target, "units");
+  const FileMesh file = read_mesh_at(node, read);
+  TriangleMesh mesh = wound_alike(file.mesh);
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= unit.value_or(file.unit_mm.value_or(1));
   return mesh;
 }
 
-TriangleMesh read_mesh_in_mm(const Section& target, const Node& mesh) {
-  LengthUnit unit = LengthUnit::mm;
-  target.read("units", unit, length_units);
-  const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
-  const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
-  const HiddenQuotes hidden(file, mesh.folder());
-  return mesh.located([&] { return in_mm(read_mesh(file), unit); });
-}
-
-SurfacePatch read_mesh_surface(const Section& target, const Node& node) {
-  const TriangleMesh mesh = read_mesh_in_mm(target, node);
+SurfacePatch read_mesh_surface(const Section& target, const Node& node, const MeshReader& read) {
+  const TriangleMesh mesh = read_mesh_in_mm(target, node, read);
   try {
     return mesh_patch(mesh);
   } catch (const InvalidInput& e) {
@@ -64,8 +57,8 @@ SurfacePatch read_mesh_surface(const Section& target, const Node& node) {
 RibbedSurface ribbed_mesh(const TriangleMesh& mesh) {
   const double side = bounds(mesh).sizes().maxCoeff();
   if (!(side >= min_side && side <= most_side))
-    throw InvalidInput("the mesh is " + number_text(side) +
-                       " mm large. Give 20 mm to 5 m, or the unit of the numbers by `units`");
+    throw InvalidInput("the mesh is " + number_text(side) + " mm large, and 20 mm to 5 m are allowed. " +
+                       advise_unit(side, usual_side, min_side, most_side));
   return ribbed_surface(mesh);
 }
 
@@ -111,10 +104,11 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
 
 std::vector<Key> surface_keys() {
   return {
-      {"mesh", value::text("path of an OBJ, STL or PLY file"), otherwise("`shape` is given"),
+      {"mesh", value::text(std::string("path of a mesh: ") + mesh_formats), otherwise("`shape` is given"),
        "mesh of the surface. A sheet needs an open surface without holes, and covers its rectangle or a "
        "rectangle of its area. Ribs cover any surface"},
-      {"units", value::choice(length_units), by_default("mm"), "unit of the mesh"},
+      {"units", unit_type(), otherwise("the unit that the file names, or mm"),
+       "unit of the mesh, or the mm in one unit of it"},
       {"shape", value::choice(shapes), otherwise("`mesh` is given"),
        "`cap`: part of a sphere over the square in its rim. `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / "
        "half of the width. `vase`: the front of a vase, with belly and neck"},
@@ -135,7 +129,7 @@ std::vector<Key> surface_keys() {
   };
 }
 
-SurfacePatch read_surface(const Section& target) {
+SurfacePatch read_surface(const Section& target, const MeshReader& read) {
   const auto mesh = target.optional("mesh"), shape = target.optional("shape"),
              profile = target.optional("profile");
   if (mesh && shape)
@@ -152,7 +146,7 @@ SurfacePatch read_surface(const Section& target) {
   }
   if (mesh) {
     refuse_sizes(target);
-    return read_mesh_surface(target, *mesh);
+    return read_mesh_surface(target, *mesh, read);
   }
   refuse(target, {"units"}, "only applies to a mesh, and shapes are in mm. Remove the key");
   return shape->located([&] { return read_shape(target, read_word(*shape, shapes)); });
@@ -164,15 +158,15 @@ std::string surface_name(const Section& target) {
   return target.optional("profile") ? "profile" : "mesh";
 }
 
-RibbedSurface read_ribbed_surface(const Section& target) {
+RibbedSurface read_ribbed_surface(const Section& target, const MeshReader& read_file) {
   const auto mesh = target.optional("mesh"), profile = target.optional("profile");
   if (profile && !mesh && !target.optional("shape")) {
     const Turned turned = read_turned(target, *profile, whole_turn);
     return profile->located([&] { return ribbed_revolution(turned.profile, turned.arc); });
   }
-  if (!mesh || profile || target.optional("shape")) return ribbed_surface(read_surface(target));
+  if (!mesh || profile || target.optional("shape")) return ribbed_surface(read_surface(target, read_file));
   refuse_sizes(target);
-  const TriangleMesh read = read_mesh_in_mm(target, *mesh);
+  const TriangleMesh read = read_mesh_in_mm(target, *mesh, read_file);
   return mesh->located([&] { return ribbed_mesh(read); });
 }
 

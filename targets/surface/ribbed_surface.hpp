@@ -2,6 +2,7 @@
 
 #include "targets/curve/space_curve.hpp"
 #include "targets/document/section.hpp"
+#include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 #include "targets/surface/surface_patch.hpp"
 
@@ -43,14 +44,14 @@ std::array<std::vector<Eigen::Vector3d>, 2> section_from(const TriangleMesh& mes
 std::vector<Key> surface_keys();
 
 /// @throws InvalidInput at the key at fault: for neither or both of mesh and shape, sizes that another shape has, and
-/// what read_mesh, mesh_patch and the shapes refuse
-SurfacePatch read_surface(const Section& target);
+/// what read_mesh, mesh_patch and the shapes refuse. Triangles of a mesh may be wound either way (wound_alike).
+SurfacePatch read_surface(const Section& target, const MeshReader& read = read_plain_mesh);
 
 /// Returns "mesh", or the name of the shape.
 std::string surface_name(const Section& target);
 
 /// Reads a surface for ribs. Its mesh may be closed, have holes, and turn by any angle.
 /// @throws InvalidInput at the key at fault: also for a mesh whose box is not 20 mm to 5 m large
-RibbedSurface read_ribbed_surface(const Section& target);
+RibbedSurface read_ribbed_surface(const Section& target, const MeshReader& read = read_plain_mesh);
 
 }  // namespace kinetix::targets

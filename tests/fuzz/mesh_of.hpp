@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/imports/model_parts.hpp"
-#include "targets/mesh/mesh_file.hpp"
+#include "app/models/model_file.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {
@@ -26,7 +26,7 @@ inline void read_as_model(const std::string& file) {
 /// Reads the triangles of a file, as the other goals do. A helmet's use of them takes a hundred times as long:
 /// readers/head.cpp tests it.
 inline void read_as_mesh(const std::string& file) {
-  read_or_refuse([&] { expect_whole(targets::read_mesh(file)); });
+  read_or_refuse([&] { expect_whole(app::read_mesh_file(file).mesh); });
 }
 
 }  // namespace kinetix::fuzz

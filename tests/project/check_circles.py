@@ -13,7 +13,7 @@ ROOMS = ("model", "targets", "optim", "sim", "app", "python", "tests", "benchmar
 # A smaller number of arrows between folders means that the pattern of includes is wrong.
 LEAST_ARROWS = 30
 # The floors of the program, lowest first. A folder includes its floor and lower floors.
-FLOORS = {"app": "io cad files pictures viewer report run console pipeline result exports goals print studio "
+FLOORS = {"app": "io cad models files pictures viewer report run console pipeline result exports goals print studio "
                  "sweep imports cli formats".split()}
 # Circles that remain, as "from -> to". Remove an arrow as soon as it is on no circle.
 KNOWN = ()

@@ -19,7 +19,7 @@ OPENING = re.compile(r"(Of|What|Where|Which|Those|That|By|The same|Likewise|As)\
 PHRASES = re.compile(r"\b(is told|are told|tells|comes to|come to|taken for|as made|of its own|likewise|so many|a matter for"
                      r"|but for|foretold|floppy|alike)\b", re.IGNORECASE)
 LONGEST_SENTENCE = 30  # words
-TEXT_FOLDERS = ("app/cli/", "app/files/", "app/formats/", "app/imports/", "app/sweep/plan/", "targets/")
+TEXT_FOLDERS = ("app/cli/", "app/files/", "app/formats/", "app/imports/", "app/models/", "app/sweep/plan/", "targets/")
 TEXT_FILES = ("app/goals/curve/curve_search.cpp", "app/goals/display/display_file.cpp", "app/goals/fold/fold_shape.cpp",
               "app/goals/outline/outline_search.cpp", "app/goals/surface/surface_file.cpp", "app/print/print_request.cpp")
 SCHEMAS = ("app/schema/result.schema.json", "app/schema/print.schema.json", "app/schema/sweep.schema.json")

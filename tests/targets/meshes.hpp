@@ -97,6 +97,15 @@ void append_binary(std::string& bytes, Number value, bool big_endian = false) {
   for (std::size_t k = 0; k < raw.size(); ++k) bytes += raw[big_endian ? raw.size() - 1 - k : k];
 }
 
+inline std::string off_text(const targets::TriangleMesh& mesh) {
+  std::ostringstream out;
+  out.precision(9);
+  out << "OFF\n# a mesh\n" << mesh.vertices.size() << " " << mesh.triangles.size() << " 0\n";
+  for (const auto& p : mesh.vertices) out << p.x() << " " << p.y() << " " << p.z() << "\n";
+  for (const auto& t : mesh.triangles) out << "3 " << t[0] << " " << t[1] << " " << t[2] << " 255 0 0\n";
+  return out.str();
+}
+
 inline std::string stl_binary(const targets::TriangleMesh& mesh) {
   std::string bytes(80, 'x');
   append_binary(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));

@@ -270,7 +270,7 @@ class CurveGoal final : public Goal {
     out.is_strip = true;
     out.is_aligned = true;
     out.bounds = bounds();
-    out.notes = strip.found.notes;
+    out.notes.insert(out.notes.end(), strip.found.notes.begin(), strip.found.notes.end());
     if (const auto& found = strip.found; found.contact.touches)
       out.notes.push_back(describe_overlap(found.contact, out.theta, out.design.structure));
     auto curve = std::make_unique<CurveOutcome>(std::move(strip));

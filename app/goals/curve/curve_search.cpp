@@ -30,10 +30,11 @@ constexpr double smallest_default_cell_mm = 0.1;
 constexpr double share_of_rise = 0.05;         // ratio to the rise of a curve: 1.25 mm for an arch of 25 mm
 constexpr double min_shape_tolerance = 0.001;  // ratio to the diagonal: limit for nearly straight curves
 
-targets::Curve read_goal(const targets::Section& root) {
+/// A cell edge in the file shows that a small or large curve is meant.
+targets::Curve read_goal(const targets::Section& root, std::vector<std::string>& notes) {
   const targets::Section target = root.section("target");
-  return read_curve(
-      target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));
+  target.required("points", "the path of a file or a list of points [[x, z], ...] in mm");
+  return read_curve(target, !root.section("structure").optional("cell_mm"), notes);
 }
 
 /// Returns the largest distance (mm) of the curve from the chord between its ends. For a closed curve, returns the
@@ -213,7 +214,9 @@ const targets::KeyTable& curve_keys() {
 
 CurveFile read_curve_file(const targets::Node& node) {
   const targets::Section root = read_root(node, curve_keys());
-  CurveFile file(read_goal(root));
+  std::vector<std::string> notes;
+  CurveFile file(read_goal(root, notes));
+  file.input_notes = std::move(notes);
   read_structure(root, file);
   read_variables(root, file);
   file.shape_tolerance = usual_shape_tolerance(file);

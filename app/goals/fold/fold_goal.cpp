@@ -322,14 +322,13 @@ class FoldGoal final : public Goal {
 
   SearchResult search_solid(const RunOptions& options) const {
     const targets::SolidGoal& goal = *file_.goal.solid;
-    return with_outcome(asked(file_),
-                        shape_of(goal, fit_solid(targets::named_solid(goal.solid), goal.cells, goal.columns,
-                                                 search_of(file_, options), options.progress)));
+    return with_outcome(asked(file_), shape_of(goal, fit_solid(goal.shape, goal.cells, goal.columns,
+                                                               search_of(file_, options), options.progress)));
   }
 
   Forecast forecast_solid() const {
     const targets::SolidGoal& goal = *file_.goal.solid;
-    const targets::Solid solid = targets::named_solid(goal.solid);
+    const targets::Solid solid = goal.shape;
     const auto net = lay_out(solid, goal.cells, columns_of_solid(solid, file_), file_.size);
     Forecast out{net.structure};
     out.folded_mm =

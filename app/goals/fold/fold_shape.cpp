@@ -6,6 +6,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
+#include "app/models/model_file.hpp"
 #include "targets/fold/read_fold.hpp"
 
 namespace kinetix::app {
@@ -129,7 +130,7 @@ const targets::KeyTable& fold_keys() {
 FoldFile read_fold_file(const targets::Node& node) {
   const targets::Section root = read_root(node, fold_keys());
   FoldFile file;
-  file.goal = read_fold(root.required("target", ""));
+  file.goal = read_fold(root.required("target", ""), read_mesh_file);
   read_structure(root, file);
   const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
   file.tilt = variables.tilt;
@@ -217,7 +218,7 @@ Json target_of(const targets::FoldGoal& goal, const targets::FoldNet& net) {
 }
 
 Json target_of(const targets::SolidGoal& goal, const targets::SolidNet& net) {
-  Json out = {{"kind", "fold"}, {"solid", targets::solid_names()[goal.solid]}, {"cells", goal.cells}};
+  Json out = {{"kind", "fold"}, {"solid", goal.name}, {"cells", goal.cells}};
   out["faces"] = Json::array();
   for (std::size_t f = 0; f < net.faces.size(); ++f)
     out["faces"].push_back({{"name", face_name(static_cast<int>(f))}});

@@ -6,6 +6,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
+#include "app/models/model_file.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/goal.hpp"
@@ -133,8 +134,9 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   const targets::Section root = read_root(node, helmet_keys());
   const targets::Section target = root.section("target");
   // A separate statement, because GCC 12 frees bases twice if a later initializer throws.
-  targets::Head head = read_head(target);
+  targets::Head head = read_head(target, read_mesh_file);
   HelmetFile file{{}, std::move(head)};
+  file.input_notes = file.head.notes;
   read_structure(root, file);
   read_variables(root, file.spec);
   read_ribs(target, file);

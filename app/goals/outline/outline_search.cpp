@@ -141,9 +141,11 @@ OutlineFile read_outline_file(const targets::Node& node) {
   const targets::Section root = read_root(node, outline_keys());
   const targets::Section target = root.section("target");
   OutlineFile file;
-  file.folded = targets::read_outline(
-      target.required("points", "the path of a CSV file or a list of points [[x, y], ...] in mm"));
-  if (const auto flat = target.optional("flat")) file.flat = targets::read_outline(*flat);
+  target.required("points", "the path of a file or a list of points [[x, y], ...] in mm");
+  const bool checks_size = !root.section("structure").optional("cell_mm");
+  file.folded = targets::read_outline(target, "points", checks_size, file.input_notes);
+  if (target.optional("flat"))
+    file.flat = targets::read_outline(target, "flat", checks_size, file.input_notes);
   read_structure(root, file);
   read_variables(root, file);
   read_settings(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns), file);

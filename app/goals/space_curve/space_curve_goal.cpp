@@ -202,10 +202,14 @@ const targets::KeyTable& space_curve_keys() {
 
 SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   const targets::Section root = read_root(node, space_curve_keys());
-  const targets::Node points = root.section("target").required(
-      "points", "the path of a CSV file or a list of points [[x, y, z], ...] in mm");
-  targets::ReadSpaceGoal goal = targets::read_space_goal(points);
+  const targets::Section target = root.section("target");
+  const targets::Node points =
+      target.required("points", "the path of a file or a list of points [[x, y, z], ...] in mm");
+  std::vector<std::string> notes;
+  targets::ReadSpaceGoal goal =
+      targets::read_space_goal(target, !root.section("structure").optional("cell_mm"), notes);
   SpaceCurveFile file(std::move(goal.goal));
+  file.input_notes = std::move(notes);
   read_variables(root, file);
   read_structure(root, file);
   root.read_into(file);

@@ -4,6 +4,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
+#include "app/models/model_file.hpp"
 #include "targets/surface/ribbed_surface.hpp"
 
 namespace kinetix::app {
@@ -127,7 +128,7 @@ SurfaceFile read_surface_file(const targets::Node& node) {
   const targets::Section root = read_root(node, surface_file_keys());
   SurfaceFile file;
   const targets::Section target = root.section("target");
-  file.patch = targets::read_surface(target);
+  file.patch = targets::read_surface(target, read_mesh_file);
   read_structure(root, file);
   check_curvature(target, file);
   read_variables_and_tolerance(root, file);
@@ -181,7 +182,7 @@ RibsFile read_ribs_file(const targets::Node& node) {
   const targets::Section root = read_root(node, surface_file_keys());
   refuse_keys_of_sheets(root);
   const targets::Section target = root.section("target");
-  targets::RibbedSurface surface = targets::read_ribbed_surface(target);
+  targets::RibbedSurface surface = targets::read_ribbed_surface(target, read_mesh_file);
   RibsFile file{{}, targets::surface_name(target), std::move(surface)};
   file.spec = read_spec(root, file.surface);
   const targets::Section tolerance = root.section("tolerance");

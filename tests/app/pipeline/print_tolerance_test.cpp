@@ -224,8 +224,8 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
   const Scratch scratch;
   for (const char* goal :
        {"target: {kind: curve, points: [[0, 0], [200000, 150000], [450000, 220000], [700000, 150000], "
-        "[900000, 0]]}\nstructure: {cells: [12, 1]}\n",
-        "target: {kind: outline, points: [[0, 0], [0.005, 0], [0.005, 0.005], [0, 0.005]]}\n"
+        "[900000, 0]], units: mm}\nstructure: {cells: [12, 1]}\n",
+        "target: {kind: outline, points: [[0, 0], [0.005, 0], [0.005, 0.005], [0, 0.005]], units: mm}\n"
         "structure: {cells: [4, 4]}\n"}) {
     const SearchResult one = found(scratch, goal, " --hinge block");
     const Json& made = one.result["as_made"];

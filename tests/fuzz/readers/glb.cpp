@@ -25,10 +25,12 @@ std::string glb_of(const std::string& given) {
 
 }  // namespace
 
-/// Reads a binary glTF file, or its content: JSON, then its buffer.
+/// Reads a binary glTF file, or its content: JSON, then its buffer. Reads it as a model and as a mesh.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string given(reinterpret_cast<const char*>(data), size);
   const std::string file = given.starts_with('{') ? glb_of(given) : given;
-  fuzz::read_as_model(fuzz::input_folder().write("input.glb", file));
+  const std::string path = fuzz::input_folder().write("input.glb", file);
+  fuzz::read_as_model(path);
+  fuzz::read_as_mesh(path);
   return 0;
 }

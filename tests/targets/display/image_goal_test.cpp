@@ -106,12 +106,12 @@ TEST(ImageGoal, RefusesWhatIsNoPictureOfALetter) {
   EXPECT_THAT(says(folder.path("none.png")), HasSubstr("none.png: no such file"));
   EXPECT_THAT(says("/dev/zero"), HasSubstr("device"));
   EXPECT_THAT(says(folder.path(".")), HasSubstr("is a folder"));
-  EXPECT_THAT(says(folder.write("text.png", "hello\n")), HasSubstr("Give a PNG, PBM or PGM file"));
+  EXPECT_THAT(says(folder.write("text.png", "hello\n")), HasSubstr("Give a PNG, JPEG, PBM or PGM file"));
   EXPECT_THAT(says(folder.write("nine.pgm", "P2\n2 1 9\n0 9\n")),
               HasSubstr("largest value is 3, 15, 255 or 65535"));
   EXPECT_THAT(says(folder.write("one.pgm", "P2\n2 1 1\n0 1\n")), HasSubstr("largest value is 3, 15"))
       << "it was refused by a message that allowed it";
-  EXPECT_THAT(says(folder.write("empty.png", "")), HasSubstr("Give a PNG, PBM or PGM file"));
+  EXPECT_THAT(says(folder.write("empty.png", "")), HasSubstr("Give a PNG, JPEG, PBM or PGM file"));
   EXPECT_THAT(
       says(folder.write("cut.png", png.substr(0, png.size() / 2))),
       HasSubstr("cut.png: is damaged and cannot be decoded (it ends too early). Give a whole PNG file"));
@@ -145,6 +145,18 @@ TEST(ImageGoal, SaysInOneMessageOfItsOwnWhereAPngIsDamaged) {
   EXPECT_THAT(says(bad_deflate), HasSubstr("a.png: is damaged and cannot be decoded ("));
   EXPECT_THAT(says(png.substr(0, png.size() - 14)), HasSubstr("(it ends too early)"));
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ImageGoal, ReadsAJpegAndRefusesADamagedOne) {
+  TemporaryFolder folder;
+  Greys greys(32, std::vector<unsigned>(32, 255));
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) greys[y][x] = 0;
+  const std::string file = write_image(folder.path("a.jpg"), greys, IFF_JFIF_JPEG);
+  EXPECT_THAT(image_goal(file, PanelSize{2, 2}).row_texts(), ElementsAre("10", "00"));
+  const std::string bytes = read_file(file);
+  EXPECT_THAT(refusal([&] { image_goal(folder.write("cut.jpg", bytes.substr(0, bytes.size() * 2 / 3))); }),
+              HasSubstr("cut.jpg: is damaged and cannot be decoded. Give a whole JPEG file"));
 }
 
 /// libpng warns about what it can do without.

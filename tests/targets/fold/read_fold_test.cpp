@@ -4,6 +4,7 @@
 
 #include "targets/fold/fold_net.hpp"
 #include "tests/support/bad_input.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -139,10 +140,28 @@ TEST(ReadFold, RefusesCreasesThatNeedBothDirectionsInOneCell) {
     EXPECT_THAT(why, ::testing::HasSubstr(words));
 }
 
+TEST(ReadFold, TakesASolidFromAFile) {
+  testing::TemporaryFolder folder;
+  folder.write("tent.off",
+               "OFF\n6 5 9\n0 0 0\n0 40 0\n0 20 30\n60 0 0\n60 40 0\n60 20 30\n3 0 2 1\n3 3 4 5\n4 0 1 4 3\n"
+               "4 1 2 5 4\n4 0 3 5 2\n");
+  const std::string document = folder.path("in.yaml");
+  const FoldGoal goal =
+      read_fold(parse_document("target: {kind: fold, solid: tent.off}\n", document).required("target", ""));
+  EXPECT_EQ(goal.solid->name, "tent.off");
+  EXPECT_EQ(goal.solid->shape.faces.size(), 5u);
+  EXPECT_THAT(
+      testing::refusal([&] {
+        read_fold(parse_document("target: {kind: fold, solid: none.off}\n", document).required("target", ""));
+      }),
+      ::testing::HasSubstr("target.solid: "));
+}
+
 TEST(ReadFold, TakesASolidByItsName) {
   const FoldGoal goal = fold_of("{kind: fold, solid: icosahedron, cells: 3, crease_columns: 2}");
   ASSERT_TRUE(goal.solid);
-  EXPECT_EQ(goal.solid->solid, 2);
+  EXPECT_EQ(goal.solid->name, "icosahedron");
+  EXPECT_EQ(goal.solid->shape.faces.size(), 20u);
   EXPECT_EQ(goal.solid->cells, 3);
   EXPECT_EQ(goal.solid->columns, 2);
   EXPECT_THAT(testing::refusal([] { fold_of("{kind: fold, solid: cone}"); }),

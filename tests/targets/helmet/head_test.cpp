@@ -170,11 +170,11 @@ TEST(Head, IsTheSameInEveryPoseAndUnit) {
     std::function<Vector3d(const Vector3d&)> turn;
   };
   const std::vector<Turned> cases = {
-      {{LengthUnit::m, Vector3d::UnitY(), -Vector3d::UnitZ(), {}, 90},
+      {{1000, Vector3d::UnitY(), -Vector3d::UnitZ(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(p.x(), p.z(), -p.y()) / 1000; }},
-      {{LengthUnit::inch, -Vector3d::UnitX(), Vector3d::UnitZ(), {}, 90},
+      {{25.4, -Vector3d::UnitX(), Vector3d::UnitZ(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(-p.z(), -p.x(), p.y()) / 25.4; }},
-      {{LengthUnit::cm, Vector3d::UnitY(), Vector3d::UnitX(), {}, 90},
+      {{10, Vector3d::UnitY(), Vector3d::UnitX(), {}, 90},
        [](const Vector3d& p) -> Vector3d { return Vector3d(p.y() + 300, p.z(), p.x()) / 10; }}};
   for (const auto& [pose, turn] : cases) {
     TriangleMesh turned = mesh;
@@ -206,11 +206,12 @@ std::string says(const TriangleMesh& mesh, const HeadPose& pose, const std::stri
 
 TEST(Head, OfAnotherSizeIsRefusedWithTheUnitThatWouldDo) {
   const auto sized = [](double mm) { return ellipsoid(mm / 230 * head_axes, 24, 12); };
-  EXPECT_THAT(says(sized(2), {}, "units"), HasSubstr("is 2 mm long"));
+  EXPECT_THAT(says(sized(2), {}, "units"),
+              HasSubstr("is 2 mm long, and a head or a bust is 100 to 1000 mm. Give `units: dm` for 200 mm"));
   EXPECT_THAT(says(sized(0.23), {}, "units"), HasSubstr("Give `units: m` for 230 mm"));
   EXPECT_THAT(says(sized(23), {}, "units"), HasSubstr("Give `units: cm` for 230 mm"));
   EXPECT_THAT(says(sized(9), {}, "units"), HasSubstr("Give `units: in` for 228.6 mm"));
-  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
+  EXPECT_THAT(says(sized(230), {.unit_mm = 1000}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
   EXPECT_THAT(says(sized(2e6), {}, "units"),
               HasSubstr("is 2e+06 mm long, and a head or a bust is 100 to 1000 mm"));
 }
@@ -340,12 +341,8 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
       {"{mesh: none.obj}", 1, 16, "target.mesh", {"none.obj: no such file"}},
       {"{mesh: nan.obj}", 1, 16, "target.mesh", {"nan.obj:2:5: `nan`"}},
       {"{mesh: empty.obj}", 1, 16, "target.mesh", {"empty.obj: has no triangles"}},
-      {"{mesh: tiny.obj}",
-       1,
-       16,
-       "target.mesh",
-       {"in mm the mesh is 2.18", "with any of the units mm, cm, m and in"}},
-      {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, m, in"}},
+      {"{mesh: tiny.obj}", 1, 16, "target.mesh", {"the mesh is 2.18", "Give `units: dm` for 218", "head_mm"}},
+      {"{mesh: head.obj, units: km}", 1, 33, "target.units", {"allowed: mm, cm, dm, m, in"}},
       {"{mesh: head.obj, units: m}", 1, 33, "target.units", {"Give `units: mm` for"}},
       {"{mesh: head.obj, up: w}", 1, 30, "target.up", {"`w` is not known", "-z"}},
       {"{mesh: head.obj, up: z, front: -z}", 1, 40, "target.front", {"perpendicular"}},
@@ -356,6 +353,78 @@ TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {
       {"{mesh: head.obj, coverage_mm: 900}", 1, 39, "target.coverage_mm", {"goes beyond the mesh"}},
   };
   for (const BadInput& bad : cases) expect_refused(bad, file, [&] { read(bad.text, file); });
+}
+
+/// Turns a mesh so that its z axis becomes `up`.
+TriangleMesh turned_up(TriangleMesh mesh, const Vector3d& up) {
+  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up).toRotationMatrix();
+  for (Vector3d& p : mesh.vertices) p = R * p;
+  return mesh;
+}
+
+// Unit vectors along all axes of a file.
+const std::array<Vector3d, 6> all_axes = {Vector3d(1, 0, 0),  Vector3d(-1, 0, 0), Vector3d(0, 1, 0),
+                                          Vector3d(0, -1, 0), Vector3d(0, 0, 1),  Vector3d(0, 0, -1)};
+
+TEST(LikelyUp, FindsTheCrownWhicheverWayAHeadLies) {
+  for (const TriangleMesh& head : {head_with_ears(90, 60), read_mesh(shapes + "headform.obj")})
+    for (const Vector3d& up : all_axes)
+      EXPECT_LE((likely_up(turned_up(head, up)).up - up).norm(), 1e-9) << up.transpose();
+}
+
+TEST(ReadHead, StatesTheAxisThatItFoundByTheShape) {
+  TemporaryFolder folder;
+  folder.write("head.obj", obj_text(turned_up(head_with_ears(90, 60), Vector3d::UnitY())));
+  const Head head = read("{mesh: head.obj}", folder.path("in.yaml"));
+  EXPECT_EQ(head.to_mesh.linear().col(2), Vector3d::UnitY());
+  ASSERT_EQ(head.notes.size(), 1u);
+  EXPECT_THAT(head.notes[0],
+              HasSubstr("the head points up along +y of the mesh. Give `up` if this is wrong"));
+  EXPECT_TRUE(read("{mesh: head.obj, up: y}", folder.path("in.yaml")).notes.empty());
+}
+
+TEST(ReadHead, TakesTheLengthOfAHeadForItsUnit) {
+  TemporaryFolder folder;
+  TriangleMesh mesh = head_with_ears(90, 60);
+  for (Vector3d& p : mesh.vertices) p *= 0.0137;
+  folder.write("head.obj", obj_text(mesh));
+  const std::string file = folder.path("in.yaml");
+  const Head head = read("{mesh: head.obj, head_mm: 196}", file);
+  EXPECT_NEAR(head.to_mesh.translation().z(), 115, 4) << "the head is 196 mm long where it is longest";
+  EXPECT_NEAR(read("{mesh: head.obj, units: 73}", file).to_mesh.translation().z(), 115, 0.1);
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: head.obj}", file); }),
+              HasSubstr("or the length of the head by `head_mm`"));
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: head.obj, head_mm: 196, units: cm}", file); }),
+              HasSubstr("target.head_mm: cannot be combined with `units`"));
+}
+
+TEST(ReadHead, TakesThePartOfABodyNearItsCrown) {
+  TemporaryFolder folder;
+  TriangleMesh body = ellipsoid(head_axes, 60, 40);
+  testing::add_part(body, ellipsoid({220, 120, 760}, 40, 40), Vector3d(0, 0, -860));
+  folder.write("body.obj", obj_text(body));
+  const Head head = read("{mesh: body.obj, up: z}", folder.path("in.yaml"));
+  EXPECT_LE(bounds(head.dome.mesh()).sizes().maxCoeff(), 320);
+}
+
+TEST(ReadHead, RecognisesTheScanOfAFace) {
+  TemporaryFolder folder;
+  TriangleMesh face = head_with_ears(90, 60);
+  std::erase_if(face.triangles, [&](const Triangle& t) { return face.vertices[t[0]].y() < 20; });
+  folder.write("face.obj", obj_text(face));
+  for (const std::string up : {"", ", up: z"})
+    EXPECT_THAT(testing::refusal([&] { read("{mesh: face.obj" + up + "}", folder.path("in.yaml")); }),
+                HasSubstr("target.mesh: the mesh shows one side of a head alone"))
+        << up;
+}
+
+TEST(ReadHead, NamesTheCoverageThatFits) {
+  TemporaryFolder folder;
+  TriangleMesh cap = head_with_ears(90, 60);
+  std::erase_if(cap.triangles, [&](const Triangle& t) { return cap.vertices[t[0]].z() < 40; });
+  folder.write("cap.obj", obj_text(cap));
+  EXPECT_THAT(testing::refusal([&] { read("{mesh: cap.obj}", folder.path("in.yaml")); }),
+              HasSubstr("target.mesh: `coverage_mm: 90` goes beyond the mesh"));
 }
 
 TEST(Headform, HasThePublishedDimensions) {

@@ -15,6 +15,7 @@ namespace {
 using testing::ellipsoid;
 using ::testing::HasSubstr;
 using testing::obj_text;
+using testing::off_text;
 using testing::ply_binary;
 using testing::ply_text;
 using testing::refusal;
@@ -29,7 +30,8 @@ struct NamedBytes {
 
 std::vector<NamedBytes> every_format(const TriangleMesh& mesh) {
   return {{"a.obj", obj_text(mesh)}, {"b.stl", stl_text(mesh)},   {"c.STL", stl_binary(mesh)},
-          {"d.ply", ply_text(mesh)}, {"e.ply", ply_binary(mesh)}, {"f.ply", ply_binary(mesh, true)}};
+          {"d.ply", ply_text(mesh)}, {"e.ply", ply_binary(mesh)}, {"f.ply", ply_binary(mesh, true)},
+          {"g.off", off_text(mesh)}};
 }
 
 void expect_same_triangles(const TriangleMesh& mesh, const TriangleMesh& expected) {
@@ -61,6 +63,48 @@ TEST(MeshFile, ReadsWhatExportersWriteIntoObj) {
   const TriangleMesh mesh = read_mesh(folder.write("a.obj", text));
   EXPECT_EQ(mesh.vertices.size(), 5u);
   EXPECT_EQ(mesh.triangles.size(), 3u);
+}
+
+TEST(MeshFile, ReadsWhatExportersWriteIntoOff) {
+  TemporaryFolder folder;
+  const TriangleMesh square = read_mesh(folder.write(
+      "a.off", "# c\n\nCOFF 4 2 0\n0 0 0 1 1 1 1\n9 0 0\n\n9 9 0 # c\n0 9 0\n4 0 1 2 3 9 9\n2 0 1\n"));
+  EXPECT_EQ(square.vertices.size(), 4u);
+  EXPECT_EQ(square.triangles.size(), 2u);
+  EXPECT_THAT(says(folder, "a.off", "4 1 0\n0 0 0\n"), HasSubstr("a.off:1:1: is not an OFF file"));
+  EXPECT_THAT(says(folder, "a.off", "OFF BINARY\n"), HasSubstr("Export it as text"));
+  EXPECT_THAT(says(folder, "a.off", "4OFF\n1 0 0\n"), HasSubstr("other than three dimensions"));
+  EXPECT_THAT(says(folder, "a.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n3 0 1 2\n"),
+              HasSubstr("a.off:5:7: the corner `2`"));
+  EXPECT_THAT(says(folder, "a.off", "OFF\n2 1 0\n0 0 0\n"), HasSubstr("ends where a vertex is expected"));
+  EXPECT_THAT(says(folder, "a.off", "OFF\n1 1 0\n0 0 0\n-1 0\n"), HasSubstr("a face of -1 corners"));
+}
+
+TEST(MeshFile, CutsTriangleStripsOfPly) {
+  TemporaryFolder folder;
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  const std::string vertices = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  const TriangleMesh mesh =
+      read_mesh(folder.write("a.ply", head + vertices + "11 0 2 1 3 -1 2 4 3 5 5 -1\n"));
+  ASSERT_EQ(mesh.triangles.size(), 4u);
+  for (std::size_t t = 0; t < 4; ++t) EXPECT_EQ(area_normal(mesh, t), Eigen::Vector3d(0, 0, 1)) << t;
+  EXPECT_THAT(says(folder, "a.ply", head + vertices + "3 0 1 6\n"), HasSubstr("there are only 6"));
+  EXPECT_THAT(says(folder, "a.ply", head + vertices + "3 0 1 -2\n"), HasSubstr("-2 is not an index"));
+}
+
+TEST(TriangleMesh, IsWoundAlikeAsMostOfItsAreaWas) {
+  TriangleMesh mesh = ellipsoid({77, 100, 110}, 12, 8);
+  const TriangleMesh whole = joined(mesh);
+  std::mt19937 random(3);
+  TriangleMesh mixed = whole;
+  for (Triangle& t : mixed.triangles)
+    if (random() % 3 == 0) std::swap(t[0], t[1]);
+  const TriangleMesh mended = wound_alike(mixed);
+  ASSERT_EQ(mended.triangles.size(), whole.triangles.size());
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t)
+    EXPECT_GT(area_normal(mended, t).dot(area_normal(whole, t)), 0) << t;
 }
 
 TEST(MeshFile, CutsAConcavePolygonInsideItsOutline) {
@@ -105,10 +149,10 @@ TEST(MeshFile, RefusesWhatIsNoMesh) {
   TemporaryFolder folder;
   EXPECT_THAT(refusal([&] { read_mesh(folder.path("none.obj")); }), HasSubstr("none.obj: no such file"));
   EXPECT_THAT(refusal([&] { read_mesh(folder.path("head.fbx")); }),
-              HasSubstr("Give an OBJ, STL or PLY file"));
+              HasSubstr("Give a file of triangles or polygons: 3MF, GLB, OBJ, OFF, PLY, STEP or STL"));
   for (const auto& [name, bytes] : every_format({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}}))
     EXPECT_THAT(says(folder, name, bytes), HasSubstr("has no triangles")) << name;
-  for (const char* name : {"a.obj", "a.stl", "a.ply"}) {
+  for (const char* name : {"a.obj", "a.stl", "a.ply", "a.off"}) {
     EXPECT_NE(says(folder, name, ""), "") << name;
     EXPECT_NE(says(folder, name, "hello\n"), "") << name;
     EXPECT_NE(says(folder, name, std::string(1000, '\0')), "") << name;

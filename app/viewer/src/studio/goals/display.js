@@ -23,7 +23,7 @@ export const displayGoal = {
   cards: {
     letter: {title: "Letter", fields: [{name: "glyph", text: "letter or word", value: "A", kind: "text"}, field("cells", "cells a letter", 10, {min: 6, max: 40, step: 1}),
       field("cell_mm", "cell", 15, {unit: "mm"})], text: letter},
-    image: {title: "Picture", about: "A PNG; its dark parts show when the panel is pressed.", drop: ".png,.pbm,.pgm", needsFile: true,
+    image: {title: "Picture", about: "A PNG or JPEG; its dark parts show when the panel is pressed.", drop: ".png,.jpg,.jpeg,.pbm,.pgm", needsFile: true,
       fields: [field("cell_mm", "cell", 15, {unit: "mm"}), {name: "invert", text: "light parts show", kind: "checkbox", value: false}], text: picture},
   },
 };

@@ -3,7 +3,7 @@ import {field, number, targetFile} from "./target_file.js";
 
 const box = ({a, b, c, open}) => targetFile("box", `{kind: fold, box_mm: [${[a, b, c].map(number).join(", ")}]${open ? `, open: ${open}` : ""}}`);
 
-const SOLIDS = ["tetrahedron", "octahedron", "icosahedron", "dodecahedron"];
+const SOLIDS = ["tetrahedron", "octahedron", "icosahedron", "dodecahedron", "cube"];
 const solid = ({shape, cells, cell_mm}) => targetFile(shape, `{kind: fold, solid: ${shape}, cells: ${cells}}`, [`structure: {cell_mm: ${number(cell_mm)}}`]);
 
 export const foldGoal = {

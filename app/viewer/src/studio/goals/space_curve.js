@@ -6,7 +6,7 @@ export const space_curveGoal = {
   name: "space_curve",
   apart: ({goal_mm}, p) => offLine(goal_mm, p),
   cards: {
-    space_curve: {title: "Curve in space", about: "A CSV file of points x,y,z in mm.", drop: ".csv", needsFile: true,
+    space_curve: {title: "Curve in space", about: "A table of points x,y,z in mm, or a GPX track.", drop: ".csv,.txt,.dat,.gpx", needsFile: true,
       fields: [field("columns", "columns", 48, {min: 8, max: 400, step: 1})],
       text: ({name, columns}) => targetFile("space_curve", `{kind: space_curve, points: ${inQuotes(name)}}`, [`structure: {cells: [${columns}, 1]}`])},
   },

@@ -31,7 +31,7 @@ export const surfaceGoal = {
     surface: {title: "Surface", about: "Part of a sphere, a saddle or the front of a vase. A sheet comes near to it and mostly misses its curvature; ribs follow it.",
       fields: [{name: "shape", text: "shape", kind: "select", value: "cap", choices: [["cap", "cap"], ["saddle", "saddle"], ["vase", "vase"]]}, WIDTH,
         field("arc_deg", "it turns by", 40, {unit: "\u00b0", max: 120}), FACETS, RIBS], text: shaped},
-    mesh: {title: "Mesh", about: "A sheet or ribs over a mesh: OBJ, STL or PLY. A sheet takes an open one without holes, ribs any.", drop: ".obj,.stl,.ply", needsFile: true,
+    mesh: {title: "Mesh", about: "A sheet or ribs over a mesh: OBJ, OFF, STL, PLY, 3MF, GLB or STEP. A sheet takes an open one without holes, ribs any.", drop: ".obj,.off,.stl,.ply,.3mf,.glb,.step,.stp", needsFile: true,
       fields: [{name: "units", text: "mesh is in", kind: "select", value: "mm", choices: [["mm", "mm"], ["cm", "cm"], ["m", "m"], ["in", "inches"]]}, FACETS, RIBS], text: scanned},
   },
   ghost: (surface) => ({lines: surface.lines_mm, bare: surface.bare_mm}),

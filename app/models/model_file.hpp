@@ -2,6 +2,7 @@
 
 #include "model/assembly/tiles.hpp"
 #include "model/solids/polyhedron.hpp"
+#include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::app {
 
@@ -22,14 +23,20 @@ struct ModelFile {
 /// More than in any print job. The limit keeps damaged and hostile files from filling memory.
 inline constexpr std::size_t max_model_triangles = 1'000'000;
 
-/// Reads a 3MF, STEP, glTF (glb), OBJ, PLY or STL file. Its ending decides which.
+/// Reads a 3MF, STEP, glTF (glb), OBJ, OFF, PLY or STL file. Its ending decides which.
 /// @throws InvalidInput with the file as place: missing, unreadable, damaged, of another format, too large
 ModelFile read_model_file(const std::string& file);
+
+/// Reads the triangles of a mesh file of any format of read_model_file, or the faces of a FOLD file. Parts of a model
+/// are added to one mesh.
+/// @throws InvalidInput as read_model_file and targets::read_mesh
+targets::FileMesh read_mesh_file(const std::string& file);
 
 /// Read one format from the bytes of a file; `file` is for messages.
 ModelFile read_threemf(const std::string& bytes, const std::string& file);
 ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file);
 ModelFile read_glb(const std::string& bytes, const std::string& file);
+targets::TriangleMesh read_origami_faces(const std::string& bytes, const std::string& file);
 /// Reads a STEP file by its name, since the library reads named files only.
 ModelFile read_step(const std::string& file);
 

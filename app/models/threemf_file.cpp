@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <pugixml.hpp>
 
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 

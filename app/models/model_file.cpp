@@ -1,11 +1,13 @@
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 
 #include <fmt/format.h>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "app/cad/cad_formats.hpp"
+#include "model/base/algorithms.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
@@ -29,7 +31,7 @@ ModelFile one_mesh(const std::string& file) {
 ModelFile read_by_ending(const std::string& file) {
   const std::string ending = targets::lower_case(std::filesystem::path(file).extension().string());
   if (ending == ".step" || ending == ".stp") return read_step(file);
-  if (ending == ".stl" || ending == ".ply") return one_mesh(file);
+  if (ending == ".stl" || ending == ".ply" || ending == ".off") return one_mesh(file);
   const auto bytes = [&] { return targets::read_bytes(file, targets::max_mesh_bytes); };
   if (ending == ".3mf") return read_threemf(bytes(), file);
   if (ending == ".obj") return read_groups_of_obj(bytes(), file);
@@ -38,10 +40,10 @@ ModelFile read_by_ending(const std::string& file) {
   if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
   if (std::filesystem::is_directory(file, failure))
     throw InvalidInput(
-        "this is a folder without vertices.txt. Give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL "
-        "file",
+        std::string("this is a folder without vertices.txt. Give a folder of tiles, or a file: ") +
+            targets::mesh_formats,
         {file});
-  throw InvalidInput("the ending is not that of a model. Give a 3MF, STEP, GLB, OBJ, PLY or STL file",
+  throw InvalidInput(std::string("the ending is not that of a model. Give a file: ") + targets::mesh_formats,
                      {file});
 }
 
@@ -138,6 +140,26 @@ ModelFile read_model_file(const std::string& file) {
                            std::to_string(max_model_triangles) + ". Simplify the model",
                        {file});
   return model;
+}
+
+targets::FileMesh read_mesh_file(const std::string& file) {
+  const std::string ending = targets::lower_case(std::filesystem::path(file).extension().string());
+  if (ending == ".fold")
+    return {read_origami_faces(targets::read_bytes(file, targets::max_mesh_bytes), file)};
+  static const std::set<std::string> models = {".3mf", ".glb", ".step", ".stp"};
+  if (!models.contains(ending)) return targets::read_plain_mesh(file);
+  const ModelFile model = read_model_file(file);
+  targets::FileMesh out{{}, model.unit_mm};
+  for (const FoundMesh& part : model.meshes) {
+    const int first = static_cast<int>(out.mesh.vertices.size());
+    model::append(part.soup.points, out.mesh.vertices);
+    for (targets::Triangle triangle : part.soup.triangles) {
+      for (int& corner : triangle) corner += first;
+      out.mesh.triangles.push_back(triangle);
+    }
+  }
+  out.mesh = joined(out.mesh);
+  return out;
 }
 
 ModelFile read_step(const std::string& file) {

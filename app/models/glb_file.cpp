@@ -2,7 +2,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/imports/model_file.hpp"
+#include "app/models/model_file.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/text_file.hpp"
 
