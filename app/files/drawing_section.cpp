@@ -23,10 +23,9 @@ std::vector<targets::Key> drawing_keys() {
        "and lines "
        "that overlap are one wall"},
       {"unit", value::choice(drawing_units),
-       targets::otherwise("the unit of the file: `$INSUNITS`, or `width` and `height` with their unit"),
-       "for `drawing`: unit of the numbers in the file. `pt` is 1/72 inch and `px` is 1/96 inch. It is "
-       "needed if the "
-       "file has no unit"},
+       targets::otherwise("the unit of the file: `$INSUNITS`, or `width` and `height`; else mm in a DXF "
+                          "and px in an SVG"),
+       "for `drawing`: unit of the numbers in the file. `pt` is 1/72 inch and `px` is 1/96 inch"},
       {"scale", value::number(scales), targets::by_default(1), "for `drawing`: factor of all lengths"},
       {"join_mm", value::number(joins), targets::otherwise("0.2 % of the median wall"),
        "for `drawing`: distance up to which ends of lines are joined"},

@@ -228,7 +228,8 @@ targets::Key robust_key(const std::string& over) {
       "robust",
       targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
       targets::by_default("false"),
-      "selects the design whose [prints](hinges.md#4-print-tolerance) are expected to be nearest to the goal, among "
+      "selects the design whose [prints](hinges.md#4-print-tolerance) are expected to be nearest to the "
+      "goal, among "
       "those that meet it. The choice is over " +
           over +
           ". A number is the weight of the expected print error, and the error of the design itself has the "

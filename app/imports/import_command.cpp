@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/bodies_section.hpp"
-#include "app/models/model_file.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/models/model_file.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/assembly/deployment.hpp"

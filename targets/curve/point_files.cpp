@@ -62,7 +62,7 @@ class PathWalker {
     for (std::size_t v = 0; v < next_.size(); ++v)
       if (next_[v].size() > 2)
         throw InvalidInput("more than two lines meet at " + point_text(ends_.points[v]) +
-                           ". Give a drawing of one path");
+                           " of the drawing. Give a drawing of one path");
     const auto is_end = [](const auto& on) { return on.size() == 1; };
     if (!is_end(next_[0]))
       start_ = static_cast<int>(std::find_if(next_.begin(), next_.end(), is_end) - next_.begin()) %
@@ -89,7 +89,7 @@ class PathWalker {
 
  private:
   static std::string point_text(const Vector2d& p) {
-    return "[" + number_text(p.x()) + ", " + number_text(p.y()) + "] mm";
+    return "[" + number_text(p.x()) + ", " + number_text(p.y()) + "]";
   }
 
   /// Adds a piece, unless it has no length or is drawn twice.
@@ -109,11 +109,10 @@ FilePoints read_path(const std::string& file, bool is_dxf) {
   const std::string text = read_bytes(file, max_drawing_bytes);
   FilePoints out{{}, {}, {file}, {}, 1.0};
   std::vector<Piece> pieces;
-  for (const auto& [from, to] : is_dxf ? parse_dxf(text) : parse_svg(text)) {
-    if (!(from.cwiseAbs().maxCoeff() <= max_coordinate_mm && to.cwiseAbs().maxCoeff() <= max_coordinate_mm))
-      throw InvalidInput("a line ends more than a kilometre from 0. Check the unit of the drawing");
-    pieces.push_back({from, to});
-  }
+  const Drawing drawing = is_dxf ? parse_dxf(text) : parse_svg(text);
+  for (const DrawnLine& line : drawing.lines) pieces.push_back({line.from, line.to});
+  out.unit_mm = drawing.unit_mm;
+  if (!drawing.has_unit) out.notes.push_back("the unit of the drawing is " + drawing.unit_source);
   if (pieces.size() > max_curve_points)
     throw InvalidInput("the drawing has too many lines. Give at most " + std::to_string(max_curve_points));
   if (pieces.empty() || !(mean_length(pieces) > 0))

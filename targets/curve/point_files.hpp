@@ -20,7 +20,7 @@ struct FilePoints {
   std::vector<Place> places;  ///< of each point
   Place place;                ///< of all
   std::vector<std::string> notes = {};
-  std::optional<double> unit_mm = {};  ///< mm in one unit; empty: the file does not name its unit
+  std::optional<double> unit_mm = {};  ///< mm in one unit; empty: the file does not give it
   bool in_pixels = false;              ///< a picture: its size is not known
 };
 
@@ -32,7 +32,7 @@ struct PointForm {
 };
 
 /// Reads a file of points. Its ending decides the format.
-///   - .svg and .dxf: the only path of a drawing, in mm, y or z upwards.
+///   - .svg and .dxf: the only path of a drawing, in its unit, y or z upwards.
 ///   - .png, .jpg, .jpeg, .pbm and .pgm: the outline of the largest silhouette, for outlines alone.
 ///   - .gpx: a track or route as a map, in metres from its first point. The height is z in space.
 ///   - all others: a table of numbers (read_point_table).

@@ -122,14 +122,7 @@ class DrawingExaminer {
   /// Scales the lines to mm. @return whether their size is plausible
   bool apply_unit(const Drawing& drawing) {
     const Vector2d size = size_of(out_.lines);
-    if (!settings_.unit_mm && !drawing.unit_mm) {
-      refuse(
-          path_.error(fmt::format("the drawing has no unit: {}. Set structure.unit to mm ({}), in ({}) or "
-                                  "another unit",
-                                  drawing.unit_source, size_words(size), size_words(25.4 * size))));
-      return false;
-    }
-    const double mm = settings_.unit_mm.value_or(drawing.unit_mm.value_or(1)) * settings_.scale;
+    const double mm = settings_.unit_mm.value_or(drawing.unit_mm) * settings_.scale;
     for (DrawnLine& line : out_.lines) {
       line.from *= mm;
       line.to *= mm;

@@ -17,8 +17,9 @@ struct DrawnLine {
 struct Drawing {
   std::vector<DrawnLine> lines;
   std::vector<std::string> curves;  ///< names of the curved elements, such as "circle"
-  std::optional<double> unit_mm;    ///< of the numbers; empty if the file does not determine it
-  std::string unit_source;          ///< part of the file that gives the unit, or the reason why there is none
+  double unit_mm = 1;               ///< of the numbers
+  bool has_unit = false;            ///< whether the file determines the unit, which is assumed otherwise
+  std::string unit_source;  ///< part of the file that gives the unit, or the assumption and its reason
 };
 
 /// Largest drawing, bytes (64 MiB): CAD programs are wordy.
@@ -28,15 +29,15 @@ inline constexpr std::size_t max_drawn_lines = 1'000'000;
 
 /// Reads the visible lines and curves of a DXF file in its model space: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE,
 /// ELLIPSE, SPLINE, 3DFACE, and INSERT of blocks of them. Layers that are off or frozen are left out. The unit is that
-/// of $INSUNITS.
+/// of $INSUNITS, and mm is assumed without it.
 /// @throws InvalidInput with a line for missing blocks, lines that are not flat, meshes, and incomplete entities. Files
 /// that are cut off also throw.
 Drawing parse_dxf(const std::string& text);
 
 /// Reads the visible lines and curves of an SVG file: line, polyline, polygon, rect, circle, ellipse, path, and use of
 /// them. Style sheets, transforms and nested svg elements are applied.
-/// The unit follows from width, height and viewBox if they have a unit. A px is 1/96 inch, in files of Illustrator
-/// 1/72 inch, and in files of Inkscape before 0.92 1/90 inch.
+/// The unit follows from width, height and viewBox. A px is 1/96 inch, in files of Illustrator 1/72 inch, and in files
+/// of Inkscape before 0.92 1/90 inch. Lengths without a unit are assumed to be px.
 /// @throws InvalidInput with a line for unreadable numbers, units and transforms, and for endlessly nested elements
 Drawing parse_svg(const std::string& text);
 
@@ -50,7 +51,7 @@ struct DrawingSettings {
 /// Walls that were understood from a drawing. A drawing that is refused has what was understood up to the fault.
 struct DrawnWalls {
   std::string file;                    ///< path of the drawing
-  std::vector<DrawnLine> lines;        ///< mm, or the drawing's numbers if `unit` is empty
+  std::vector<DrawnLine> lines;        ///< mm
   model::PlanarGraph graph;            ///< walls, mm; vertices from below, and from the left in a row
   std::string unit;                    ///< unit of the drawing's numbers and its source
   std::optional<InvalidInput> fault;   ///< reason to refuse the drawing

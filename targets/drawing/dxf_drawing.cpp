@@ -205,14 +205,15 @@ class DxfReader {
   }
 
   void set_unit() {
-    out_.unit_source = "the file has no $INSUNITS";
+    out_.unit_source = "mm, assumed because the file has no $INSUNITS";
     if (!contents_.unit) return;
     const int number = contents_.unit->integer();
     if (number < 1 || number > static_cast<int>(std::size(dxf_units))) {
-      out_.unit_source = "$INSUNITS is " + std::to_string(number) + ", which has no unit";
+      out_.unit_source = "mm, assumed because $INSUNITS is " + std::to_string(number) + ", which has no unit";
       return;
     }
     out_.unit_mm = dxf_units[number - 1].mm;
+    out_.has_unit = true;
     out_.unit_source = "$INSUNITS " + std::to_string(number) + ", " + dxf_units[number - 1].name;
   }
 

@@ -65,6 +65,7 @@ class SvgReader {
     all.whole = page.size;
     read(svg_, all);
     out_.unit_mm = page.unit_mm;
+    out_.has_unit = page.has_unit;
     out_.unit_source = page.source;
     return std::move(out_);
   }

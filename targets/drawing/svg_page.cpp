@@ -114,16 +114,14 @@ SvgPage read_svg_page(const pugi::xml_document& document) {
   }
   const PageSide& side = width.user_units > 0 ? width : height;
   const bool in_pixels = !has_size || side.is_in_pixels || !box;
-  const bool is_known = !pixels.program.empty() || (has_size && side.has_unit);
-  if (!is_known) {
-    page.source = reason_without_unit(width, height);
-    return page;
-  }
+  page.has_unit = !pixels.program.empty() || (has_size && side.has_unit);
   const double css_mm =
       in_pixels && (side.is_in_pixels || !has_size) ? inch_mm / pixels.per_inch : css_pixel_mm;
   page.unit_mm = scale.x() * css_mm;
   const char* name = width.user_units > 0 ? "width" : "height";
-  if (!in_pixels)
+  if (!page.has_unit)
+    page.source = "px of 1/96 inch, assumed because " + reason_without_unit(width, height);
+  else if (!in_pixels)
     page.source = fmt::format("{} {}", name, side.text);
   else
     page.source = fmt::format("px of 1/{:g} inch{}{}", css_mm == css_pixel_mm ? 96 : pixels.per_inch,

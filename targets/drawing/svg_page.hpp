@@ -13,9 +13,10 @@ namespace kinetix::targets {
 
 /// Size of the user units of an SVG file.
 struct SvgPage {
-  std::optional<double> unit_mm;  ///< of a user unit along x; empty if the file does not determine it
-  std::string source;             ///< where the unit is from, or the reason why there is none
-  double stretch = 1;             ///< length of a user unit along y, relative to x
+  double unit_mm = 0;     ///< of a user unit along x
+  bool has_unit = false;  ///< whether the file determines the unit, which is assumed otherwise
+  std::string source;     ///< part of the file that gives the unit, or the assumption and its reason
+  double stretch = 1;     ///< length of a user unit along y, relative to x
   Eigen::Vector2d size = Eigen::Vector2d(0, 0);  ///< whole size for percents, user units
 };
 

@@ -65,7 +65,7 @@ TEST(WrongFile, MayBeAPictureOrADrawing) {
 
 TEST(WrongFile, MayNeedAnotherFormatOrCommand) {
   const Scratch scratch;
-  EXPECT_THAT(kinetix_opt(scratch.write("logo.jpg", "")).err,
+  EXPECT_THAT(kinetix_opt(scratch.write("logo.gif", "")).err,
               AllOf(HasSubstr("Convert it to "), HasSubstr("\n    image: logo.png\n")));
   EXPECT_THAT(kinetix_opt(scratch.write("part.step", "")).err, HasSubstr("Run `kinetix-opt import "));
 }

@@ -351,7 +351,7 @@ TEST(LatticeSection, TakesUnitScaleAndJoiningOfADrawing) {
     return read_design(folder.write("sheet.yaml", structure("lattice: graph, drawing: plain.dxf" + keys)))
         .structure;
   };
-  EXPECT_THAT(refusal([&] { read(""); }), HasSubstr("structure.drawing: the drawing has no unit"));
+  EXPECT_THAT(refusal([&] { read(""); }), HasSubstr("would measure 1 x 1 mm (mm, assumed because"));
   EXPECT_THAT(refusal([&] { read(", unit: in"); }), HasSubstr("Set structure.join_mm: 0.28"));
   const model::Lattice sheet = read(", unit: in, scale: 2, join_mm: 1");
   EXPECT_EQ(sheet.bodies(), 4);

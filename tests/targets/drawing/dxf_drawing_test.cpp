@@ -57,16 +57,19 @@ TEST(DxfDrawing, HasTheUnitOfItsHeader) {
   const std::pair<int, double> known[] = {{1, 25.4},   {2, 304.8},  {4, 1},     {5, 10},  {6, 1000},
                                           {9, 0.0254}, {10, 914.4}, {13, 1e-3}, {14, 100}};
   for (const auto& [unit, mm] : known)
-    EXPECT_DOUBLE_EQ(parse_dxf(dxf_file(dxf_line(1, 0, 2, 3), dxf_unit(unit))).unit_mm.value(), mm) << unit;
-  for (int unit = 1; unit <= 24; ++unit) EXPECT_TRUE(parse_dxf(dxf_file("", dxf_unit(unit))).unit_mm) << unit;
+    EXPECT_DOUBLE_EQ(parse_dxf(dxf_file(dxf_line(1, 0, 2, 3), dxf_unit(unit))).unit_mm, mm) << unit;
+  for (int unit = 1; unit <= 24; ++unit)
+    EXPECT_TRUE(parse_dxf(dxf_file("", dxf_unit(unit))).has_unit) << unit;
   EXPECT_EQ(parse_dxf(dxf_file("", dxf_unit(1))).unit_source, "$INSUNITS 1, inches");
 }
 
-TEST(DxfDrawing, HasNoUnitIfItsHeaderHasNone) {
-  EXPECT_FALSE(parse_dxf(dxf_file("")).unit_mm);
-  EXPECT_FALSE(parse_dxf(dxf_file("", dxf_unit(0))).unit_mm);
-  EXPECT_FALSE(parse_dxf(dxf_file("", "9\n$MEASUREMENT\n70\n0\n")).unit_mm);
-  EXPECT_THAT(parse_dxf(dxf_file("")).unit_source, HasSubstr("no $INSUNITS"));
+TEST(DxfDrawing, IsAssumedToBeInMillimetresIfItsHeaderHasNoUnit) {
+  for (const std::string& header : {std::string(), dxf_unit(0), std::string("9\n$MEASUREMENT\n70\n0\n")}) {
+    const Drawing drawing = parse_dxf(dxf_file("", header));
+    EXPECT_FALSE(drawing.has_unit) << header;
+    EXPECT_EQ(drawing.unit_mm, 1) << header;
+    EXPECT_THAT(drawing.unit_source, HasSubstr("mm, assumed because")) << header;
+  }
 }
 
 TEST(DxfDrawing, MayHaveSpacesAndLineEndsOfAnySystem) {

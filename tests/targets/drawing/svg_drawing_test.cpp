@@ -117,8 +117,7 @@ TEST(SvgDrawing, ReadsLengthsWithUnits) {
 
 /// Returns the mm of a user unit along x; 0 if the file does not determine it.
 double unit_of_svg(const std::string& attributes, const std::string& before = "") {
-  return parse_svg(before + "<svg " + attributes + "><line x1='1' y1='1' x2='2' y2='1'/></svg>")
-      .unit_mm.value_or(0);
+  return parse_svg(before + "<svg " + attributes + "><line x1='1' y1='1' x2='2' y2='1'/></svg>").unit_mm;
 }
 
 TEST(SvgDrawing, TakesItsUnitFromItsSizeAndViewBox) {
@@ -146,12 +145,15 @@ TEST(SvgDrawing, HasThePixelsOfTheProgramThatWroteIt) {
   EXPECT_NEAR(unit_of_svg("width='100mm' viewBox='0 0 100 80' inkscape:version='0.48'"), 1, 1e-12);
 }
 
-TEST(SvgDrawing, HasNoUnitIfItsSizeHasNone) {
+TEST(SvgDrawing, IsAssumedToBeInPixelsIfItsSizeHasNoUnit) {
   for (const std::string attributes :
        {"", "viewBox='0 0 100 80'", "width='100' height='80'", "width='100' height='80' viewBox='0 0 100 80'",
         "width='100%' height='100%' viewBox='0 0 100 80'", "width='10em' viewBox='0 0 10 10'",
-        "width='0mm' viewBox='0 0 10 10'"})
-    EXPECT_EQ(unit_of_svg(attributes), 0) << attributes;
+        "width='0mm' viewBox='0 0 10 10'"}) {
+    EXPECT_NEAR(unit_of_svg(attributes), mm_per_inch / 96, 1e-12) << attributes;
+    EXPECT_FALSE(parse_svg(std::string("<svg ") + attributes + "/>").has_unit) << attributes;
+  }
+  EXPECT_NEAR(unit_of_svg("width='200' height='160' viewBox='0 0 100 80'"), 2 * mm_per_inch / 96, 1e-12);
   EXPECT_THAT(parse_svg("<svg width='100%' height='100%'/>").unit_source, HasSubstr("are not lengths"));
 }
 
