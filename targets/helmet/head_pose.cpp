@@ -149,9 +149,10 @@ class UpperParts {
 // Semi-axes of a usual head, over its length: half its length, half its breadth, and the height above the level at
 // which it is longest. They are those of targets/shapes/generate_headform.py.
 constexpr double half_length = 0.5, half_breadth = 0.39, upper_height = 0.49;
-constexpr double depth_of_length = 0.4;             // of the length: above nose and ears
+constexpr double depth_of_length = 0.5;             // of the length: above nose and ears
 constexpr double levels[] = {0.03, 0.1, 0.2, 0.4};  // depths at which sections are compared, over the length
-constexpr double clear_difference = 0.1;  // of misfits: an axis other than +z must fit better by this
+constexpr double head_misfit = 0.1;                 // most of a head: other things have no axis of a head
+constexpr double clear_difference = 0.12;  // of misfits: an axis other than +z must fit better by this
 constexpr double one_sided_normal =
     0.3;  // mean normal over the area, from which a mesh shows one side; half a sphere has 1/2
 
@@ -188,7 +189,7 @@ LikelyUp likely_up(const TriangleMesh& mesh) {
        {Vector3d(Vector3d::UnitY()), Vector3d(Vector3d::UnitX()), Vector3d(-Vector3d::UnitY()),
         Vector3d(-Vector3d::UnitZ()), Vector3d(-Vector3d::UnitX())}) {
     const double misfit = misfit_of(mesh, up);
-    if (misfit < best.misfit) best = {up, misfit};
+    if (misfit < std::min(best.misfit, head_misfit)) best = {up, misfit};
   }
   if (best.up == Vector3d::UnitZ()) best.misfit += clear_difference;
   return best;
