@@ -113,7 +113,7 @@ function angleNumber(metrics) {
   if (finite(metrics.theta_rad) === null) return null;
   const limit = toDegrees(metrics.theta_limit_rad);
   return keyNumber(
-      "Fold angle \u03b8", degrees(toDegrees(metrics.theta_rad)),
+      "Fold angle", degrees(toDegrees(metrics.theta_rad)),
       "turn of each body from flat" + (limit === null ? "" : `; walls collide at ${degrees(limit)}`));
 }
 
