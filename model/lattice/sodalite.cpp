@@ -383,7 +383,7 @@ ExactMotion exact_motion(const SodaliteStructure& structure) {
     return theta_of(drive, linkage, at);
   };
   return {at, "sodalite",
-          "sodalite: rotors turn by 2 theta about the axes of space, gussets keep their direction", theta};
+          "sodalite: rotors turn by twice the fold angle about the axes x, y and z, gussets keep their direction", theta};
 }
 
 LinkageDrive plate_drive(const SodaliteStructure& structure, Axis axis, double compression, int branch) {
