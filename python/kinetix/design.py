@@ -174,6 +174,7 @@ class Design:
 
     def derivatives(self, theta: Optional[float] = None) -> Tuple[List[str], NDArray[np.float64]]:
         """Computes the derivatives of the poses of the analytic motion by all parameters of a sheet of family F1,
+        F2 or F3.
 
         ``beta[c]`` is the tilt of column c in row 0 (rad; row j has (-1)^j of it). ``t[c]`` and ``s[r]`` are the places
         of the hinges of a column and a row, as a fraction from the body whose i + j is even. ``gamma`` and ``theta``
