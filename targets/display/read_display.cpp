@@ -100,10 +100,11 @@ const KeyTable& display_target_keys() {
 }
 
 Key panel_cells_key() {
-  return {"cells", value::list(value::integer(min_panel_side, max_panel_side), "`[columns, rows]`", 2, 2),
-          otherwise("glyph: 10 columns per character and 10 rows; image: 20 columns in its proportions; rows: "
-                    "their size"),
-          "the cells of the panel"};
+  return {
+      "cells", value::list(value::integer(min_panel_side, max_panel_side), "`[columns, rows]`", 2, 2),
+      otherwise("glyph: 10 columns per character and 10 rows; image: 20 columns in its proportions; rows: "
+                "their size"),
+      "the cells of the panel"};
 }
 
 DisplayGoal read_display(const Node& node, const std::optional<Node>& cells, double cell_shape) {
