@@ -154,6 +154,9 @@ TEST(GoalPoints, BecomeSmoothOnRequest) {
 TEST(GoalPoints, ThatAreNoisyAreReportedWithALengthToAverageOver) {
   const Reading read;
   std::string table;
+  double exact = 0;
+  for (int k = 0; k < 199; ++k)
+    exact += std::hypot(0.5, 20 * (std::sin(0.03 * (k + 1)) - std::sin(0.03 * k)));
   for (int k = 0; k < 200; ++k)
     table += std::to_string(0.5 * k) + "," +
              std::to_string(20 * std::sin(0.03 * k) + (k * 7919 % 13 - 6) * (k % 2 == 0 ? 0.2 : -0.2)) + "\n";
@@ -164,7 +167,8 @@ TEST(GoalPoints, ThatAreNoisyAreReportedWithALengthToAverageOver) {
   const std::string advice = notes[0].substr(at, notes[0].find('`', at) - at);
   const auto [smooth, quiet] = read.curve("points: noisy.csv, smooth: " + advice);
   EXPECT_THAT(quiet, IsEmpty());
-  EXPECT_LT(smooth.length(), noisy.length() / 2);
+  EXPECT_GT(noisy.length(), 1.5 * exact);
+  EXPECT_NEAR(smooth.length(), exact, 0.05 * exact);
   for (const Vector2d& p : smooth.points()) EXPECT_NEAR(p.y(), 20 * std::sin(0.06 * p.x()), 3);
 }
 
