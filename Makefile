@@ -76,7 +76,7 @@ figures: dev gallery
 	build/dev/bin/kinetix-opt export build/figures/helmet_rib --format glb -o build/figures/glb
 	if command -v blender > /dev/null; then blender -b --factory-startup --python docs/figures/render_rib.py -- \
 	  build/figures/glb/helmet_rib.glb docs/figures/rib_rendering.jpg; fi
-	KINETIX_OPT=build/dev/bin/kinetix-opt node build/dev/tests/viewer/pictures.mjs docs/figures
+	KINETIX_OPT=$(CURDIR)/build/dev/bin/kinetix-opt node build/dev/tests/viewer/pictures.mjs docs/figures
 
 site: build/.installed/site
 	mkdocs build --quiet

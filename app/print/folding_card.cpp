@@ -237,8 +237,8 @@ FoldingCard make_folding_card(const PrintJob& job) {
     card.steps.push_back({"Fold", how + describe_force(*folding)});
   } else if (folding && folding->is_by_turns()) {
     card.steps.push_back({"Fold",
-                          "Turn one hinge after the other until the sheet looks as in the second picture. A "
-                          "single push takes it to another fold."});
+                          "Turn one hinge after the other until the sheet looks as in the second picture. "
+                          "The pushes that were tried lead to another fold."});
   } else if (folding && !folding->is_possible()) {
     card.steps.push_back({"Fold", "No single push folds it: " + folding->why_not + "."});
   } else {

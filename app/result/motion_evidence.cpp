@@ -47,7 +47,8 @@ std::string describe_folding(const Folding& folding) {
   if (!folding.is_possible()) return folding.why_not;
   if (folding.is_unaided) return "unaided: its springs fold it";
   if (folding.is_by_turns())
-    return "by hand, " + folding.name + ": its pins turn freely, but a single push takes it to another fold";
+    return "by hand, " + folding.name +
+           ": its pins turn freely, but the drives that were tried lead to another fold";
   const std::string load = folding.is_force ? fmt::format("{:.3g} N", folding.load)
                                             : fmt::format("{:.3g} N mm about one hinge", folding.load);
   const std::string effort = describe_effort(folding);

@@ -13,7 +13,7 @@ namespace kinetix::targets {
 namespace {
 
 using Eigen::Vector3d;
-using Line = std::vector<Vector3d>;
+using SpaceLine = std::vector<Vector3d>;
 
 constexpr double spike_mm = 0.1;      // shorter spikes are errors of drawing: no printer makes them
 constexpr double spike_share = 1e-3;  // of the box's diagonal, for small curves
@@ -28,16 +28,16 @@ constexpr double noisy_length = 2;                      // of the box's diagonal
 constexpr double noisy_turn = 45 * radians_per_degree;  // mean turn at a point
 constexpr int noise_points = 20;                        // that an average should cover
 
-double size_of_line(const Line& line) { return model::box_of(line).diagonal().norm(); }
+double size_of_line(const SpaceLine& line) { return model::box_of(line).diagonal().norm(); }
 
-double length_of(const Line& line) {
+double length_of(const SpaceLine& line) {
   double length = 0;
   for (std::size_t k = 1; k < line.size(); ++k) length += (line[k] - line[k - 1]).norm();
   return length;
 }
 
 /// Turn of a line at point k, rad; 0 if a side has no length.
-double turn_at(const Line& line, std::size_t k) {
+double turn_at(const SpaceLine& line, std::size_t k) {
   const Vector3d in = line[k] - line[k - 1], on = line[k + 1] - line[k];
   return std::atan2(in.cross(on).norm(), in.dot(on));
 }
@@ -67,7 +67,7 @@ std::string place_text(const Place& place) {
 void merge_repeated(FilePoints& points) {
   if (points.points.size() < 2) return;
   const double near = touching * size_of_line(points.points);
-  const auto [place, count] = keep_points(points, [&](const Line& kept, std::size_t k) {
+  const auto [place, count] = keep_points(points, [&](const SpaceLine& kept, std::size_t k) {
     return kept.empty() || (points.points[k] - kept.back()).norm() > near;
   });
   if (count > 0)
@@ -82,9 +82,9 @@ void remove_spikes(FilePoints& points) {
   for (std::size_t before = points.points.size() + 1;
        before != points.points.size() && points.points.size() > 3;) {
     before = points.points.size();
-    const Line line = points.points;
+    const SpaceLine line = points.points;
     std::size_t last_removed = 0;  // neighbours stay, so that both sides of a narrow part are not lost
-    const auto [place, count] = keep_points(points, [&](const Line&, std::size_t k) {
+    const auto [place, count] = keep_points(points, [&](const SpaceLine&, std::size_t k) {
       if (k == 0 || k + 1 == line.size() || (last_removed > 0 && last_removed + 1 == k)) return true;
       const bool is_spike = turn_at(line, k) > spike_turn &&
                             std::min((line[k] - line[k - 1]).norm(), (line[k + 1] - line[k]).norm()) < most;
@@ -93,7 +93,7 @@ void remove_spikes(FilePoints& points) {
     });
     if (removed == 0) first = place;
     removed += count;
-    const auto same = [&](const Line& kept, std::size_t k) {
+    const auto same = [&](const SpaceLine& kept, std::size_t k) {
       return kept.empty() || points.points[k] != kept.back();
     };
     keep_points(points, same);
@@ -105,7 +105,7 @@ void remove_spikes(FilePoints& points) {
 
 /// @throws InvalidInput for an outline whose last point is far from its first
 void check_outline_end(const FilePoints& points) {
-  const Line& line = points.points;
+  const SpaceLine& line = points.points;
   if (line.size() < 3 || line.front() == line.back()) return;
   double longest = 0;
   for (std::size_t k = 1; k < line.size(); ++k) longest = std::max(longest, (line[k] - line[k - 1]).norm());
@@ -124,7 +124,7 @@ struct PointOnLine {
 
 /// Replaces points by averages along the line, with Gaussian weights. Ends of open lines stay.
 void average(FilePoints& points, double window, bool is_closed) {
-  Line line = points.points;
+  SpaceLine line = points.points;
   if (is_closed && line.front() != line.back()) line.push_back(line.front());
   const double length = length_of(line);
   const auto count =
@@ -173,7 +173,7 @@ Vector3d spline_point(const std::array<Vector3d, 4>& p, double part) {
 }
 
 void make_smooth(FilePoints& points, bool is_closed) {
-  Line line = points.points;
+  SpaceLine line = points.points;
   const bool repeats = line.front() == line.back();
   if (is_closed && repeats) line.pop_back();
   const int count = static_cast<int>(line.size());
@@ -211,7 +211,7 @@ void check_size(const FilePoints& points, double size_in_file) {
 
 }  // namespace
 
-std::string advise_on_noise(const Line& points) {
+std::string advise_on_noise(const SpaceLine& points) {
   if (points.size() < min_noisy_points) return {};
   const double length = length_of(points), size = size_of_line(points);
   double turn = 0;

@@ -21,11 +21,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// A straight piece of a drawing, mm.
-using Piece = std::array<Vector2d, 2>;
+using PathPiece = std::array<Vector2d, 2>;
 
 constexpr double same_end = 1e-3;  // of the mean piece: CAD files keep three decimals or more of a mm
 
-double mean_length(const std::vector<Piece>& pieces) {
+double mean_length(const std::vector<PathPiece>& pieces) {
   double sum = 0;
   for (const auto& [a, b] : pieces) sum += (b - a).norm();
   return sum / static_cast<double>(pieces.size());
@@ -57,7 +57,7 @@ class NumberedEnds {
 /// Walks along the only path of a drawing, from the start of its first piece if that is possible.
 class PathWalker {
  public:
-  explicit PathWalker(const std::vector<Piece>& pieces) : ends_(same_end * mean_length(pieces)) {
+  explicit PathWalker(const std::vector<PathPiece>& pieces) : ends_(same_end * mean_length(pieces)) {
     for (const auto& [a, b] : pieces) join(ends_.number(a), ends_.number(b));
     for (std::size_t v = 0; v < next_.size(); ++v)
       if (next_[v].size() > 2)
@@ -108,7 +108,7 @@ class PathWalker {
 FilePoints read_path(const std::string& file, bool is_dxf) {
   const std::string text = read_bytes(file, max_drawing_bytes);
   FilePoints out{{}, {}, {file}, {}, 1.0};
-  std::vector<Piece> pieces;
+  std::vector<PathPiece> pieces;
   const Drawing drawing = is_dxf ? parse_dxf(text) : parse_svg(text);
   for (const DrawnLine& line : drawing.lines) pieces.push_back({line.from, line.to});
   out.unit_mm = drawing.unit_mm;

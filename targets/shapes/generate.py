@@ -62,8 +62,8 @@ def half_circle(radius=100.0):
 
 
 def pillow(half=80.0, exponent=6.0):
-    """A square with round corners: closed, so that it ends a point before its first one."""
-    return lambda f: superellipse(half, half, exponent, 2 * math.pi * f * (1 - 1 / POINTS))
+    """A square with round corners, which ends at its first point."""
+    return lambda f: superellipse(half, half, exponent, 2 * math.pi * f)
 
 
 def s_curve(span=240.0, height=40.0):
