@@ -68,7 +68,7 @@ test("a range that is free of contact is shown with its ends", async () => {
   page.holds("<h2>Collision-free range</h2>");
   page.holds("For positive angles it ends at walls [[0, 0], [1, 0]] and [[0, 1], [1, 1]], which collide at 34.4°.");
   page.holds("This state is inside");
-  page.holds("pair of plates touches as built");
+  page.holds("pair of plates touches in the flat sheet");
   page.holds("This state is outside: walls may collide during folding");
 });
 

@@ -163,11 +163,11 @@ std::vector<std::string> curve_violations(const CurveFile& file, const optim::Fr
   const std::string tied = tied_tilts(file);
   if (why.empty())
     why.push_back(
-        fmt::format("no start came closer than {:.3g} of the diagonal, although every column by itself can "
+        fmt::format("no start came closer than {:.3g} of the diagonal, although each single column can "
                     "bend enough: {}",
                     rms,
                     tied.empty() ? "use more or smaller cells"
-                                 : "leave out " + tied + ", by which their tilts depend on each other"));
+                                 : "remove " + tied + ", by which their tilts depend on each other"));
   return why;
 }
 
