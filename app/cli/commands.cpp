@@ -15,6 +15,7 @@
 #include "app/files/lattice_section.hpp"
 #include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/files/cuts_section.hpp"
 #include "app/pictures/drawing_picture.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/closed_form.hpp"
@@ -294,6 +295,15 @@ int simulate_command(const CommandOptions& options) {
 
 namespace {
 
+/// Draws pieces and bridges of a sheet with cuts, or only the lines of one that is refused.
+std::string picture_of_cuts(const targets::Node& root, const targets::DrawnWalls& lines) {
+  try {
+    return cut_picture(*read_design(root).cuts);
+  } catch (const InvalidInput&) {
+    return drawing_picture(lines);
+  }
+}
+
 /// Writes the picture of `check --picture`: the lines of a drawing, or the flat sheet of another file. Nothing is written
 /// if a file without a drawing was refused.
 void write_check_picture(const CommandOptions& options, const std::optional<Forecast>& forecast) {
@@ -303,6 +313,8 @@ void write_check_picture(const CommandOptions& options, const std::optional<Fore
     std::error_code missing;  // set if the picture does not exist yet
     if (std::filesystem::equivalent(options.picture, walls.file, missing))
       throw InvalidInput("--picture would replace the drawing. Give another file", {options.picture});
+    if (!walls.fault && drawn->knows("cuts"))
+      return write_file(options.picture, picture_of_cuts(document_of(options), walls));
     return write_file(options.picture, drawing_picture(walls));
   }
   if (!forecast)
@@ -437,6 +449,8 @@ std::optional<CheckedDrawing> drawing_of(const targets::Node& root) {
   const targets::DrawnWalls walls = examine_drawn_structure(*drawn);
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& vertex : walls.graph.vertices) box.extend(vertex);
+  if (box.isEmpty())
+    for (const targets::DrawnLine& line : walls.lines) box.extend(line.from).extend(line.to);
   return CheckedDrawing{box.sizes(), walls.unit};
 }
 
@@ -465,6 +479,7 @@ std::string CheckedDrawing::text() const {
 std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
   if (drawing) out += line("drawing", drawing->text());
+  if (!cuts.empty()) out += line("sheet", cuts);
   if (forecast) out += text_of(*forecast, kind == "design" ? of_motion : "");
   if (contact)
     for (const auto& [label, words] :
@@ -488,6 +503,7 @@ ShortForm CheckedFile::short_form() const {
     for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
   }
   if (drawing) out.lines.push_back({"drawing", drawing->text()});
+  if (!cuts.empty()) out.lines.push_back({"sheet", cuts});
   if (contact)
     out.lines.push_back(
         certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same)
@@ -501,6 +517,7 @@ nlohmann::ordered_json CheckedFile::json() const {
   if (forecast) out["expected"] = json_of(*forecast);
   if (drawing)
     out["drawing"] = {{"size_mm", {drawing->size_mm.x(), drawing->size_mm.y()}}, {"unit", drawing->unit}};
+  if (!cuts.empty()) out["cuts"] = cuts;
   if (contact)
     out["certified"] =
         certified_json(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same);
@@ -523,7 +540,11 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
     return {file, "target", target.goal->name, target.goal->forecast()};
   }
   const Design design = read_design(root);
-  if (design.structure.assembly()) return {file, "design", design.name};
+  if (design.structure.assembly()) {
+    CheckedFile out{.file = file, .kind = "design", .name = design.name, .drawing = drawing_of(root)};
+    if (design.cuts) out.cuts = describe_cuts(*design.cuts, design.process.kerf_mm);
+    return out;
+  }
   announce_check(file, design.structure, progress);
   CheckedFile out{.file = file, .kind = "design", .name = design.name, .forecast = forecast_design(design)};
   out.drawing = drawing_of(root);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
+#include "app/files/cuts_section.hpp"
 #include "app/files/drawing_section.hpp"
 #include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_boundary.hpp"
@@ -396,8 +397,9 @@ model::Lattice read_sheet(const targets::Node& structure) {
 
 std::optional<targets::Section> find_drawn_structure(const targets::Node& root) {
   const auto structure = root.optional("structure");
-  if (!structure || structure->kind() != targets::Node::Kind::map || !structure->optional("drawing"))
-    return std::nullopt;
+  if (!structure || structure->kind() != targets::Node::Kind::map) return std::nullopt;
+  if (structure->optional("cuts")) return targets::Section(structure, cuts_keys());
+  if (!structure->optional("drawing")) return std::nullopt;
   return targets::Section(structure, drawn_keys());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "targets/drawing/drawing.hpp"
+#include "targets/drawing/cut_sheet.hpp"
 
 namespace kinetix::app {
 
@@ -8,5 +8,8 @@ namespace kinetix::app {
 /// yet are grey. Faults are red: marked places, cells with an odd number of walls, and walls that are not connected to
 /// most others.
 std::string drawing_picture(const targets::DrawnWalls& walls);
+
+/// Draws a sheet with cuts, as SVG: its pieces in shades of grey, cuts black, bridges red and creases blue.
+std::string cut_picture(const targets::CutSheet& sheet);
 
 }  // namespace kinetix::app

@@ -50,8 +50,8 @@ struct Source {
       return {std::move(job), clearance};
     }
     if (design->structure.assembly()) {
-      reject_sheet_options(request);
-      if (process.cuts_sheets())
+      reject_sheet_options(request, design->cuts && process.cuts_sheets());
+      if (process.cuts_sheets() && !design->cuts)
         throw InvalidInput(
             fmt::format("{} cuts flat sheets, and a design of bodies is not one: print it "
                         "instead (--process fdm)",
