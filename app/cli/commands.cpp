@@ -11,11 +11,11 @@
 
 #include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
+#include "app/files/cuts_section.hpp"
 #include "app/files/drawing_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/files/cuts_section.hpp"
 #include "app/pictures/drawing_picture.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/closed_form.hpp"

@@ -75,7 +75,8 @@ const targets::KeyTable& joint_keys() {
       {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
        "the two bodies that it joins"},
       {"kind", value::choice(joint_choices), targets::by_default("block"),
-       "`block`: a soft part. `film`: a living hinge or a bridge. `pin`: a revolute joint. `ball`: a spherical "
+       "`block`: a soft part. `film`: a living hinge or a bridge. `pin`: a revolute joint. `ball`: a "
+       "spherical "
        "joint"},
       {"point_mm", vector_mm(), targets::needed, "point on the axis, at rest"},
       {"axis", direction(), targets::needed, "direction of the axis, of length 1, at rest"},
@@ -392,7 +393,8 @@ Design read_bodies(const targets::Node& node) {
   const targets::Node structure = root.required("structure", "a section");
   if (structure.optional("bodies")) {
     design.process = read_process(root);
-    design.structure = model::Lattice(BodiesReader(targets::Section(structure, bodies_structure_keys())).read());
+    design.structure =
+        model::Lattice(BodiesReader(targets::Section(structure, bodies_structure_keys())).read());
   } else {
     read_cuts(root, design);
   }
@@ -410,8 +412,7 @@ Design read_bodies(const targets::Node& node) {
 namespace {
 
 std::string listed_bodies_text(const model::Assembly& a) {
-  std::string out =
-      fmt::format("structure:\n  cell_mm: {}\n  bodies:\n", targets::shortest_text(a.edge_mm));
+  std::string out = fmt::format("structure:\n  cell_mm: {}\n  bodies:\n", targets::shortest_text(a.edge_mm));
   for (const model::AssemblyBody& b : a.bodies)
     out += fmt::format("    - {{name: {}, file: parts/{}.stl, position_mm: {}}}\n", b.name, b.name,
                        vector_text(b.position));

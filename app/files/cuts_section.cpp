@@ -1,6 +1,7 @@
 #include "app/files/cuts_section.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 
 #include "app/files/drawing_section.hpp"
 #include "app/files/process_section.hpp"
@@ -14,8 +15,9 @@ namespace value = targets::value;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double bridge_reach = 0.18;  // cell edges, half distance of a hinge's points, as for hinges of sheets
-constexpr double pulled_apart = 3;     // times: no sheet opens that far, so pieces move as far as they can
+constexpr double bridge_reach =
+    0.18;                           // cell edges, half distance of a hinge's points, as for hinges of sheets
+constexpr double pulled_apart = 3;  // times: no sheet opens that far, so pieces move as far as they can
 // Ratio of a bridge's length to its width at least (joint_hinge).
 constexpr double short_bridge = 0.5;
 
@@ -31,8 +33,8 @@ model::Polyhedron joint_solid(const targets::SheetJoint& joint, const model::Pro
   const Vector2d along = (joint.to - joint.from).normalized(), inwards = process.kerf_mm / 2 * along,
                  across(-inwards.y(), inwards.x());
   const Vector2d from = joint.from + inwards, to = joint.to - inwards;
-  return model::make_prism({{from - across, to - across, to + across, from + across}}, -process.sheet_mm / 2,
-                           process.sheet_mm / 2);
+  const model::FlatRing ring{from - across, to - across, to + across, from + across};
+  return model::make_prism(std::vector<model::FlatRing>{ring}, -process.sheet_mm / 2, process.sheet_mm / 2);
 }
 
 model::AssemblyHinge sheet_hinge(const targets::SheetJoint& joint, int number, const model::Assembly& bodies,
@@ -73,8 +75,9 @@ model::Process cutting_process(const targets::Section& root) {
   if (!given) return *model::find_process("laser");
   model::Process process = read_process(root);
   if (!process.cuts_sheets())
-    throw given->key_error(fmt::format(
-        "{} prints, and a sheet with cuts is cut. Give `laser`, or a section with `base: laser`", process.name));
+    throw given->key_error(
+        fmt::format("{} prints, and a sheet with cuts is cut. Give `laser`, or a section with `base: laser`",
+                    process.name));
   if (!(process.kerf_mm >= least_kerf_mm))
     throw given->error(fmt::format("kerf_mm is {:g} mm. Give {:g} mm or more, the width of the cuts",
                                    process.kerf_mm, least_kerf_mm));
@@ -84,12 +87,18 @@ model::Process cutting_process(const targets::Section& root) {
 /// Returns the number in AutoCAD's index of the colours that have a meaning; 7 is black or white.
 int colour_index(int colour) {
   switch (colour) {
-    case 0xFF0000: return 1;
-    case 0xFFFF00: return 2;
-    case 0x00FF00: return 3;
-    case 0x0000FF: return 5;
-    case 0xFF00FF: return 6;
-    default: return 7;
+    case 0xFF0000:
+      return 1;
+    case 0xFFFF00:
+      return 2;
+    case 0x00FF00:
+      return 3;
+    case 0x0000FF:
+      return 5;
+    case 0xFF00FF:
+      return 6;
+    default:
+      return 7;
   }
 }
 

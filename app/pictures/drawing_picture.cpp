@@ -113,7 +113,8 @@ std::string drawing_picture(const targets::DrawnWalls& walls) {
 std::string cut_picture(const targets::CutSheet& sheet) {
   constexpr const char* shades[] = {"#e4e4e0", "#d0d0cb", "#bcbcb6", "#dadad5", "#c6c6c0"};
   DrawingPen pen(sheet.lines);
-  for (std::size_t k = 0; k < sheet.pieces.size(); ++k) pen.shape(sheet.pieces[k], shades[k % std::size(shades)]);
+  for (std::size_t k = 0; k < sheet.pieces.size(); ++k)
+    pen.shape(sheet.pieces[k], shades[k % std::size(shades)]);
   const bool has_green = targets::has_green_cuts(sheet.lines);
   for (const targets::DrawnLine& line : sheet.lines)
     if (!is_crease(line, has_green)) pen.line(line.from, line.to, "black", 1.5);

@@ -71,13 +71,13 @@ CutJson cut_json(const PrintSheet& sheet) {
 CutLines describe_cut(const PrintSheet& sheet) {
   const CutDrawing cut = cut_drawing(sheet);
   const Eigen::Vector2d size = cut.high - cut.low;
-  CutLines out{{"sheet", fmt::format("{:g} mm thick, of {}; {:.1f} x {:.1f} mm of it", sheet.process.sheet_mm,
-                                     sheet_material(sheet), size.x(), size.y())},
-               {"cut", fmt::format("{:.0f} mm in {}{} closed lines, {} {}, for a kerf of {:g} mm",
-                                   cut.length_mm(),
-                                   cut.slits.empty() ? "" : fmt::format("{} open and ", cut.slits.size()),
-                                   cut.cuts.size(), cut.pieces, cut.pieces == 1 ? "piece" : "pieces",
-                                   sheet.process.kerf_mm)}};
+  CutLines out{
+      {"sheet", fmt::format("{:g} mm thick, of {}; {:.1f} x {:.1f} mm of it", sheet.process.sheet_mm,
+                            sheet_material(sheet), size.x(), size.y())},
+      {"cut",
+       fmt::format("{:.0f} mm in {}{} closed lines, {} {}, for a kerf of {:g} mm", cut.length_mm(),
+                   cut.slits.empty() ? "" : fmt::format("{} open and ", cut.slits.size()), cut.cuts.size(),
+                   cut.pieces, cut.pieces == 1 ? "piece" : "pieces", sheet.process.kerf_mm)}};
   if (const auto strain = bridge_strain(sheet))
     out.emplace_back(
         "bridges",

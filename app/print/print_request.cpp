@@ -152,7 +152,8 @@ void reject_sheet_options(const PrintRequest& request, bool is_cut) {
   refuse(request.orient != "flat", "--orient");
   refuse(request.slice, "--slice");
   std::vector<std::string_view> allowed = {"stl", "3mf", "glb"};
-  if (is_cut) allowed.insert(allowed.end(), {"svg", "dxf"});
+  if (is_cut)
+    for (const char* drawing : {"svg", "dxf"}) allowed.emplace_back(drawing);
   for (const std::string& name : request.formats)
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
       throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}",

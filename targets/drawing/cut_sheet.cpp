@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <boost/polygon/polygon.hpp>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "model/base/algorithms.hpp"
 #include "model/base/geometry.hpp"
@@ -21,12 +24,12 @@ using model::FlatRing;
 using SheetArea = bp::polygon_set_data<int>;
 using SheetPiece = std::vector<FlatRing>;
 
-constexpr double sheet_grid_mm = 1e-5;    // mm: areas are exact on this grid
+constexpr double sheet_grid_mm = 1e-5;       // mm: areas are exact on this grid
 constexpr double largest_sheet_mm = 20'000;  // mm: as far as whole numbers of grid steps reach
-constexpr double bridge_share = 0.5;      // of the median cut: wider gaps are not narrow places
-constexpr double speck_share = 4;         // squared kerfs: smaller areas between lines fall out as dust
-constexpr double straight_share = 3;      // grid steps: corners that leave a line by less are rounding
-constexpr int max_joint_rounds = 20;      // of leaving out bridges that separate nothing
+constexpr double bridge_share = 0.5;         // of the median cut: wider gaps are not narrow places
+constexpr double speck_share = 4;            // squared kerfs: smaller areas between lines fall out as dust
+constexpr double straight_share = 3;         // grid steps: corners that leave a line by less are rounding
+constexpr int max_joint_rounds = 20;         // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
 constexpr std::size_t max_rim_steps = 2'000'000'000;
 constexpr std::size_t max_sheet_pieces = 20'000;  // as many bodies as a motion is computed for
@@ -81,6 +84,9 @@ class SheetCutter {
     for (int round = 0; take_apart() && round < max_joint_rounds;) ++round;
     keep_largest_group();
     refuse_burnt_bridges();
+    // The outline is cut last, since the sheet may shift then.
+    std::stable_partition(out_.lines.begin(), out_.lines.end(),
+                          [&](const DrawnLine& line) { return !is_on_rim((line.from + line.to) / 2); });
     return std::move(out_);
   }
 
@@ -110,7 +116,8 @@ class SheetCutter {
     }
     if (apart.size() > 1 && apart.front() == apart.back()) apart.pop_back();
     for (std::size_t k = 0; k < apart.size(); ++k) {
-      const Vector2d &before = out.empty() ? apart.back() : out.back(), &after = apart[(k + 1) % apart.size()];
+      const Vector2d &before = out.empty() ? apart.back() : out.back(),
+                     &after = apart[(k + 1) % apart.size()];
       if (std::abs(model::cross((after - before).normalized(), apart[k] - before)) >
           straight_share * sheet_grid_mm)
         out.push_back(apart[k]);
@@ -162,9 +169,8 @@ class SheetCutter {
   }
 
   bool is_on_rim(const Vector2d& p) const {
-    return std::any_of(rims_.begin(), rims_.end(), [&](const SheetPiece& rim) {
-      return distance_to_rings(rim, p) <= 2 * out_.join_mm;
-    });
+    return std::any_of(rims_.begin(), rims_.end(),
+                       [&](const SheetPiece& rim) { return distance_to_rings(rim, p) <= 2 * out_.join_mm; });
   }
 
   /// Whether all lines are within closed lines.
@@ -197,7 +203,8 @@ class SheetCutter {
       if (!is_rim[e]) length_of[groups.find(cuts_.edges[e].from)] += cuts_.along(static_cast<int>(e)).norm();
     std::copy_if(length_of.begin(), length_of.end(), std::back_inserter(lengths),
                  [](double length) { return length > 0; });
-    if (lengths.empty()) throw InvalidInput("the drawing has an outline, and no cuts. Draw each cut as a line");
+    if (lengths.empty())
+      throw InvalidInput("the drawing has an outline, and no cuts. Draw each cut as a line");
     return bridge_share * lower_median(std::move(lengths));
   }
 
@@ -228,8 +235,8 @@ class SheetCutter {
     area -= slits;
     out_.pieces = pieces_of(area, speck_share * kerf * kerf);
     if (out_.pieces.size() > max_sheet_pieces)
-      throw InvalidInput(fmt::format("the cuts leave more than {} pieces. Give a part of the drawing",
-                                     max_sheet_pieces));
+      throw InvalidInput(
+          fmt::format("the cuts leave more than {} pieces. Give a part of the drawing", max_sheet_pieces));
     std::sort(out_.pieces.begin(), out_.pieces.end(), [&](const SheetPiece& a, const SheetPiece& b) {
       return place_in_order(a) < place_in_order(b);
     });
@@ -308,12 +315,13 @@ class SheetCutter {
     const auto next = std::find_if(wider.begin(), wider.end(),
                                    [&](const SheetBridge& b) { return b.gap() > out_.bridge_mm; });
     const std::string advice =
-        next == wider.end() ? "Draw cuts whose ends come near other cuts"
-                            : fmt::format("Set structure.bridge_mm to more: the next gap is {:.3g} mm wide",
-                                          next->gap());
-    throw InvalidInput(fmt::format("the sheet stays in one piece: no bridges up to {:.3g} mm wide separate "
-                                   "it. {}",
-                                   out_.bridge_mm, advice));
+        next == wider.end()
+            ? "Draw cuts whose ends come near other cuts"
+            : fmt::format("Set structure.bridge_mm to more: the next gap is {:.3g} mm wide", next->gap());
+    throw InvalidInput(
+        fmt::format("the sheet stays in one piece: no bridges up to {:.3g} mm wide separate "
+                    "it. {}",
+                    out_.bridge_mm, advice));
   }
 
   void refuse_burnt_bridges() const {

@@ -7,8 +7,8 @@ namespace kinetix::targets {
 
 /// Place where two pieces of a cut sheet hang together: a bridge, or a crease.
 struct SheetJoint {
-  int lower = 0, upper = 0;   ///< pieces, lower < upper
-  Eigen::Vector2d from, to;   ///< ends of a bridge across its width as drawn, or of a crease, mm
+  int lower = 0, upper = 0;  ///< pieces, lower < upper
+  Eigen::Vector2d from, to;  ///< ends of a bridge across its width as drawn, or of a crease, mm
   bool is_crease = false;
 
   double length() const { return (to - from).norm(); }
@@ -16,14 +16,15 @@ struct SheetJoint {
 
 /// Sheet with cuts, taken apart at its bridges and creases.
 struct CutSheet {
-  std::vector<DrawnLine> lines;  ///< cuts, creases and the outline, split where they meet, mm
+  std::vector<DrawnLine>
+      lines;  ///< cuts, creases and the outline, split where they meet, the outline last, mm
   /// Outline of each piece counter-clockwise, then its holes clockwise, mm. From below, and from the left in a row
   std::vector<std::vector<model::FlatRing>> pieces;
   std::vector<SheetJoint> joints;  ///< in the order of their pieces
   double bridge_mm = 0;            ///< largest gap that counts as a bridge
   double join_mm = 0;              ///< distance in which ends were joined
-  bool is_outlined = true;         ///< false: no line of the drawing encloses all others, and a rectangle does
-  int loose = 0;                   ///< pieces that hang on none of the others, and are left out
+  bool is_outlined = true;  ///< false: no line of the drawing encloses all others, and a rectangle does
+  int loose = 0;            ///< pieces that hang on none of the others, and are left out
 };
 
 struct CutSettings {

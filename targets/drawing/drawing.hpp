@@ -51,10 +51,10 @@ struct DrawingSettings {
 
 /// Walls that were understood from a drawing. A drawing that is refused has what was understood up to the fault.
 struct DrawnWalls {
-  std::string file;                    ///< path of the drawing
-  std::vector<DrawnLine> lines;        ///< mm
-  model::PlanarGraph graph;            ///< walls, mm; vertices from below, and from the left in a row; none of cuts
-  std::string unit;                    ///< unit of the drawing's numbers and its source
+  std::string file;              ///< path of the drawing
+  std::vector<DrawnLine> lines;  ///< mm
+  model::PlanarGraph graph;      ///< walls, mm; vertices from below, and from the left in a row; none of cuts
+  std::string unit;              ///< unit of the drawing's numbers and its source
   std::optional<InvalidInput> fault;   ///< reason to refuse the drawing
   std::vector<Eigen::Vector2d> marks;  ///< places of the fault, in the unit of `lines`
 };

@@ -26,9 +26,11 @@ using GapPoint = bg::model::d2::point_xy<double>;
 using GapBox = bg::model::box<GapPoint>;
 using GapMap = bgi::rtree<std::pair<GapBox, int>, bgi::quadratic<16>>;
 
-const double ahead = std::cos(75 * radians_per_degree);   // of the angle between a cut and the bridge at its end
-const double behind = std::cos(55 * radians_per_degree);  // of the angle of a cut behind its tip, at a gap's distance
-constexpr double same_cut = 3;       // gaps: a cut that returns within this length along it does not face itself
+const double ahead =
+    std::cos(75 * radians_per_degree);  // of the angle between a cut and the bridge at its end
+const double behind =
+    std::cos(55 * radians_per_degree);  // of the angle of a cut behind its tip, at a gap's distance
+constexpr double same_cut = 3;  // gaps: a cut that returns within this length along it does not face itself
 constexpr double same_place = 0.75;  // gaps: bridges of round ends with ends this near are one
 constexpr double nearly = 1e-4;      // ratio: gaps that differ by less are equal
 // Ratio to the nearest point: an end or a junction of cuts this near is taken instead, which keeps bridges symmetric.
@@ -195,9 +197,8 @@ class BridgeFinder {
   bool stays_behind(int v, const FacingPoint& point, const std::map<int, double>& way) const {
     const Vector2d along = (point.place - at(v)) / point.gap;
     const auto is_behind = [&](const Vector2d& offset) {
-      return offset.norm() < (1 - nearly) * point.gap
-                 ? offset.dot(along) <= nearly * point.gap
-                 : -offset.dot(along) >= behind * offset.norm();
+      return offset.norm() < (1 - nearly) * point.gap ? offset.dot(along) <= nearly * point.gap
+                                                      : -offset.dot(along) >= behind * offset.norm();
     };
     for (const auto& [near, length] : way) {
       if (length > same_cut * point.gap) continue;
@@ -220,9 +221,8 @@ class BridgeFinder {
 
   /// Returns the candidates, narrowest first, without those that cross a narrower one or are the same place.
   std::vector<SheetBridge> chosen() {
-    std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return a.bridge.gap() < b.bridge.gap();
-    });
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.bridge.gap() < b.bridge.gap(); });
     std::vector<SheetBridge> out;
     GapMap accepted;
     for (const Candidate& candidate : candidates_) {
@@ -232,8 +232,8 @@ class BridgeFinder {
       for (auto found = accepted.qbegin(bgi::intersects(near)); is_new && found != accepted.qend(); ++found) {
         count_gap_pair();
         const SheetBridge& other = out[found->second];
-        is_new = !is_same_place(candidate, other) &&
-                 !cross_inside(bridge.from, bridge.to, other.from, other.to);
+        is_new =
+            !is_same_place(candidate, other) && !cross_inside(bridge.from, bridge.to, other.from, other.to);
       }
       if (!is_new) continue;
       accepted.insert({gap_box(bridge.from, bridge.to, 0), static_cast<int>(out.size())});

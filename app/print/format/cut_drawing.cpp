@@ -150,7 +150,8 @@ class LineChains {
 
   /// Returns the longest way through ends of two lines that holds a line; empty if it was taken before.
   CutRing take(std::size_t first) {
-    if (std::exchange(is_done_[first], true)) return {};
+    if (is_done_[first]) return {};
+    is_done_[first] = true;
     CutRing back{lines_[first].from}, way{lines_[first].from, lines_[first].to};
     extend(way);
     if (way.front() == way.back()) return way;
@@ -166,8 +167,7 @@ class LineChains {
   void extend(CutRing& way) {
     for (;;) {
       const std::vector<std::size_t>& lines = at_[key(way.back())];
-      const auto next =
-          std::find_if(lines.begin(), lines.end(), [&](std::size_t k) { return !is_done_[k]; });
+      const auto next = std::find_if(lines.begin(), lines.end(), [&](std::size_t k) { return !is_done_[k]; });
       if (lines.size() != 2 || next == lines.end()) return;
       is_done_[*next] = true;
       way.push_back(lines_[*next].from == way.back() ? lines_[*next].to : lines_[*next].from);

@@ -332,8 +332,9 @@ std::vector<model::HingePrint> prints_of_cuts(const targets::CutSheet& cuts, con
     if (!cuts.joints[k].is_crease && out[k].made.thickness_mm < process.min_film_mm) ++narrow;
   }
   if (narrow > 0)
-    warnings.push_back(fmt::format("{} of {} bridges are narrower than {:g} mm after the cut and may break off",
-                                   narrow, out.size(), process.min_film_mm));
+    warnings.push_back(
+        fmt::format("{} of {} bridges are narrower than {:g} mm after the cut and may break off", narrow,
+                    out.size(), process.min_film_mm));
   return out;
 }
 

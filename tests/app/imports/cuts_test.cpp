@@ -42,7 +42,8 @@ TEST(Cuts, SquaresTurnAboutTheirBridges) {
   EXPECT_LT(result["metrics"]["verify_rms"], 0.02);
   // The design in the results is a drawing of cuts, too, and gives the same result.
   EXPECT_THAT(text_of(folder.out() + "/design.yaml"), HasSubstr("cuts: sheet_cuts.dxf"));
-  const Outcome again = kinetix_opt("simulate " + folder.out() + "/design.yaml --json -o " + folder.out("again"));
+  const Outcome again =
+      kinetix_opt("simulate " + folder.out() + "/design.yaml --json -o " + folder.out("again"));
   ASSERT_EQ(again.code, 0) << again.err;
   EXPECT_NEAR(CutJson::parse(again.out)["metrics"]["theta_rad"].get<double>(),
               result["metrics"]["theta_rad"].get<double>(), 1e-6);

@@ -25,8 +25,8 @@ FlatRing square_ring(double x, double y, double side, bool is_hole) {
 
 TEST(Prism, HasTheVolumeOfItsRing) {
   expect_prism({square_ring(0, 0, 10, false)});
-  expect_prism({{{0, 0}, {10, 0}, {10, 10}, {5, 3}, {0, 10}}});                  // a notch
-  expect_prism({{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}}});  // a U
+  expect_prism({FlatRing{{0, 0}, {10, 0}, {10, 10}, {5, 3}, {0, 10}}});                      // a notch
+  expect_prism({FlatRing{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}}});  // a U
 }
 
 TEST(Prism, LeavesHolesOpen) {

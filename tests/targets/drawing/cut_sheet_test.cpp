@@ -10,8 +10,8 @@
 namespace kinetix::targets {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::cut_squares;
+using ::testing::HasSubstr;
 using testing::refusal;
 
 using Ends = std::vector<std::array<double, 4>>;
@@ -90,8 +90,9 @@ TEST(CutSheet, FindsBridgesBetweenSlotsAndCrossbars) {
   EXPECT_EQ(closed.pieces.size(), 2U);
   EXPECT_EQ(closed.joints.size(), 3U);
   // Crossbars at the ends of two cuts face each other.
-  const CutSheet bars = make_cut_sheet(
-      within(24, 20, {{0, 10, 11, 10}, {11, 9, 11, 11}, {13, 10, 24, 10}, {13, 9, 13, 11}}), {.bridge_mm = 4});
+  const CutSheet bars =
+      make_cut_sheet(within(24, 20, {{0, 10, 11, 10}, {11, 9, 11, 11}, {13, 10, 24, 10}, {13, 9, 13, 11}}),
+                     {.bridge_mm = 4});
   EXPECT_EQ(bars.pieces.size(), 2U);
   ASSERT_EQ(bars.joints.size(), 1U);
   EXPECT_NEAR(bars.joints[0].length(), 2, 1e-9);
