@@ -25,6 +25,7 @@ struct Design {
   HingeSection hinge = {};
   std::map<int, HingeSection> hinge_overrides = {};  ///< per-hinge overrides, by index of the hinge
   PhysicsSection physics = {};
+  std::vector<std::string> notes = {};  ///< changes to files that it names, one sentence each
 };
 
 /// Returns the hinge sections of a design: the common one if a hinge uses it, then each override.

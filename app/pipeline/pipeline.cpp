@@ -325,6 +325,7 @@ Run with_model_states(Run run, const RunOptions& options) {
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
     if (!run.goal) model::append(exact_frames(run), run.states);
   }
+  model::append(run.design.notes, run.plan.why);
   model::append(run.notes, run.plan.why);
   return run;
 }
