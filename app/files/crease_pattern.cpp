@@ -1,6 +1,7 @@
 #include "app/files/crease_pattern.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 #include <map>
 #include <numeric>
 #include <set>
@@ -18,9 +19,11 @@ using targets::JoinedLines;
 
 // Letters from the weakest to the strongest.
 constexpr std::string_view letters_by_strength = "FUBMVC";
-constexpr double widest_join = 0.03;     // of the median line: as far as vertices are moved to fold flat
+constexpr double wide_join = 0.03;     // of the median line: as far as vertices are moved to fold flat
 constexpr double straight_within = 5e-3;  // of the shorter edge: distance of a straight vertex from its neighbours' line
 constexpr double usual_area_error = 1e-3;  // relative: rounding of files
+// Limits of coordinates, in the unit of the file: their squares and products are numbers of a computer.
+constexpr double least_size = 1e-50, largest_coordinate = 1e50;
 
 /// Finds vertices of a graph by their place.
 class PlacedVertices {
@@ -51,21 +54,11 @@ class PlacedVertices {
   std::vector<int> order_;
 };
 
-/// Joins lines. Ends that miss each other are joined up to a wider distance.
-JoinedLines join_creases(const std::vector<targets::DrawnLine>& lines, std::optional<double>& widened) {
-  JoinedLines joined = targets::join_lines(lines);
-  if (targets::find_near_misses(joined).empty()) return joined;
-  const double wide = joined.join * widest_join / targets::default_join;
-  JoinedLines wider = targets::join_lines(lines, wide);
-  if (wider.graph.edges.empty()) return joined;
-  widened = wide;
-  return wider;
-}
-
 /// Builds a pattern step by step.
 class PatternBuilder {
  public:
   explicit PatternBuilder(const CreaseLines& file) : file_(file) {
+    check_size();
     std::vector<std::size_t> order(file.lines.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -77,8 +70,12 @@ class PatternBuilder {
     }
   }
 
-  CreasePattern run() {
-    const JoinedLines joined = join_creases(lines_, out_.joined);
+  CreasePattern run(bool is_wide) {
+    JoinedLines joined = targets::join_lines(lines_);
+    if (is_wide) {
+      out_.joined = joined.join * wide_join / targets::default_join;
+      joined = targets::join_lines(lines_, out_.joined);
+    }
     join_ = joined.join;
     out_.graph = joined.graph;
     for (const int line : joined.line_of) out_.letters.push_back(line_letters_[line]);
@@ -96,6 +93,16 @@ class PatternBuilder {
   }
 
  private:
+  void check_size() const {
+    Eigen::AlignedBox2d box;
+    for (const targets::DrawnLine& line : file_.lines) box.extend(line.from).extend(line.to);
+    if (box.isEmpty() || !(box.sizes().norm() >= least_size))
+      throw InvalidInput("the pattern has no lines with a length. Give each crease as one line");
+    if (!(box.min().cwiseAbs().maxCoeff() <= largest_coordinate) ||
+        !(box.max().cwiseAbs().maxCoeff() <= largest_coordinate))
+      throw InvalidInput("a coordinate is too large. Give smaller numbers");
+  }
+
   void number_vertices() {
     out_.number.assign(out_.graph.vertices.size(), -1);
     const PlacedVertices map(out_.graph.vertices, join_);
@@ -266,6 +273,8 @@ std::vector<int> CreasePattern::faces_of_edges() const {
   return count;
 }
 
-CreasePattern make_crease_pattern(const CreaseLines& lines) { return PatternBuilder(lines).run(); }
+CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide) {
+  return PatternBuilder(lines).run(is_wide);
+}
 
 }  // namespace kinetix::app

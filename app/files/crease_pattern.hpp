@@ -47,8 +47,9 @@ struct CreasePattern {
 /// Makes a planar pattern of lines that may cross, overlap and end near each other. Of lines that overlap, the one with
 /// the stronger letter counts: flat, unknown, boundary, mountain or valley, cut. Faces are merged across flat edges,
 /// and straight vertices without other creases are left out.
+/// @param is_wide whether ends are joined up to 3 % of the median line, instead of the usual distance of drawings
 /// @throws InvalidInput for creases that are both mountain and valley, that end inside a face, and for patterns in
 /// several pieces
-CreasePattern make_crease_pattern(const CreaseLines& lines);
+CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide = false);
 
 }  // namespace kinetix::app

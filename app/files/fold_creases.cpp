@@ -1,5 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -86,7 +87,7 @@ Vector3d point_of(const Json& at, std::size_t v) {
     fits = at[k].is_number();
     if (fits) p[static_cast<Eigen::Index>(k)] = at[k].get<double>();
   }
-  if (!fits || !(p.cwiseAbs().maxCoeff() < 1e100))
+  if (!fits || !p.allFinite())
     throw InvalidInput("vertices_coords: " + numbered("vertex", v) + " is not a point. Give [x, y]");
   return p;
 }
@@ -130,7 +131,7 @@ std::optional<PlaneAxes> plane_of(const std::vector<Vector3d>& points, const Vec
     if (box.isEmpty() || !(box.sizes()[3 - u - v] <= near)) continue;
     PlaneAxes axes = PlaneAxes::Zero();
     axes(0, u) = axes(1, v) = 1;
-    const Vector3d up = axes.row(0).cross(axes.row(1));
+    const Vector3d up = axes.row(0).transpose().cross(axes.row(1).transpose());
     // The letters of a pattern in z = 0 are those seen from above.
     if (u + v > 1 && up.dot(normal) < 0) axes.row(0) *= -1;
     return axes;
@@ -141,8 +142,8 @@ std::optional<PlaneAxes> plane_of(const std::vector<Vector3d>& points, const Vec
     if (!(std::abs(up.dot(p - middle)) <= near)) return std::nullopt;
   if (up.dot(normal) < 0 || (normal.isZero() && up.z() < 0)) up *= -1;
   PlaneAxes axes;
-  axes.row(0) = solver.eigenvectors().col(2);
-  axes.row(1) = up.cross(axes.row(0).transpose());
+  axes.row(0) = solver.eigenvectors().col(2).transpose();
+  axes.row(1) = up.cross(Vector3d(axes.row(0).transpose())).transpose();
   return axes;
 }
 
@@ -186,7 +187,7 @@ class FrameReader {
 
   void read_edges() {
     if (!frame_.has_list("edges_vertices")) {
-      if (faces_.empty() || frame_.find("edges_assignment")) InheritingFrame::refuse_without("edges_vertices");
+      if (faces_.empty() || frame_.has_list("edges_assignment")) InheritingFrame::refuse_without("edges_vertices");
       std::set<std::pair<int, int>> known;
       for (const auto& face : faces_)
         for (std::size_t k = 0; k < face.size(); ++k) known.insert(std::minmax(face[k], face[(k + 1) % face.size()]));

@@ -41,10 +41,36 @@ std::vector<std::string> notes_on(const CreasePattern& pattern, const model::Sol
   return notes;
 }
 
-OrigamiFile mended_pattern(const CreaseLines& lines) {
-  const CreasePattern pattern = make_crease_pattern(lines);
+/// Pattern with its columns and rows.
+struct GriddedPattern {
+  CreasePattern pattern;
+  QuadGrid grid;
+};
+
+GriddedPattern gridded(CreasePattern pattern) {
   QuadGrid grid = find_quad_grid(pattern);
-  const model::VertexName name = [&](int i, int j) {
+  return {std::move(pattern), std::move(grid)};
+}
+
+/// Finds the mesh of lines. Lines of drawings, which have no common vertices, are joined widely if they form no mesh
+/// otherwise.
+GriddedPattern find_mesh(const CreaseLines& lines) {
+  try {
+    return gridded(make_crease_pattern(lines));
+  } catch (const InvalidInput&) {
+    if (!lines.vertices.empty()) throw;
+    try {
+      return gridded(make_crease_pattern(lines, true));
+    } catch (const InvalidInput&) {
+      // The fault of the lines as they are is the answer.
+    }
+    throw;
+  }
+}
+
+OrigamiFile mended_pattern(const CreaseLines& lines) {
+  auto [pattern, grid] = find_mesh(lines);
+  const model::VertexName name = [&pattern = pattern, &grid = grid](int i, int j) {
     return pattern.name(grid.vertex_of[grid.mesh.vertex(i, j)]);
   };
   const model::SolvedSigns signs = solve_signs(grid.mesh, name);

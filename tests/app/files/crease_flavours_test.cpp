@@ -143,7 +143,9 @@ TEST(CreaseFlavours, MissingLettersFollowFromTheAngles) {
 }
 
 TEST(CreaseFlavours, LettersThatDoNotFollowAreAskedFor) {
-  CreaseText text = crease_text(random_sheet(2, 2, 4));
+  model::MarchData data = model::miura(2, 2, 65 * radians_per_degree, 1);
+  data.level[0] *= 1.5;
+  CreaseText text = crease_text(model::march(data).mesh);
   text.letter("U", [](const auto& edge) { return edge.letter != "B"; });
   expect_refusal(text.fold(), "a.fold",
                  AllOf(HasSubstr("fold in several ways"), HasSubstr("such as the crease from vertex 4 to vertex")));
@@ -198,6 +200,23 @@ TEST(CreaseFlavours, DrawnLinesCrossAndBreakAnywhere) {
   ASSERT_TRUE(in_cm.unit_mm);
   EXPECT_NEAR(*in_cm.unit_mm, 10, 1e-9);
   EXPECT_FALSE(whole.unit_mm);
+}
+
+TEST(CreaseFlavours, DrawnEndsThatMissAreJoinedAndReported) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.004, 0.004);
+  CreaseText text = miura_text(4, 3);
+  CreaseText loose = text;
+  loose.vertices.clear();
+  for (auto& [from, to, letter] : loose.edges)
+    for (int* end : {&from, &to}) {
+      loose.vertices.push_back(text.vertices[*end] + Eigen::Vector2d(unit(random), unit(random)));
+      *end = static_cast<int>(loose.vertices.size()) - 1;
+    }
+  const OrigamiFile joined = parse_origami(loose.svg(), "a.svg");
+  ASSERT_GE(joined.notes.size(), 1u);
+  EXPECT_THAT(joined.notes[0], HasSubstr("apart were joined"));
+  EXPECT_EQ(joined.mesh.columns * joined.mesh.rows, 12);
 }
 
 TEST(CreaseFlavours, OtherPatternsAreRefusedInOneMessage) {
