@@ -19,9 +19,10 @@ using targets::JoinedLines;
 
 // Letters from the weakest to the strongest.
 constexpr std::string_view letters_by_strength = "FUBMVC";
-constexpr double wide_join = 0.03;     // of the median line: as far as vertices are moved to fold flat
-constexpr double straight_within = 5e-3;  // of the shorter edge: distance of a straight vertex from its neighbours' line
-constexpr double usual_area_error = 1e-3;  // relative: rounding of files
+constexpr double wide_join = 0.03;  // of the median line: as far as vertices are moved to fold flat
+constexpr double straight_within =
+    5e-3;  // of the shorter edge: distance of a straight vertex from its neighbours' line
+constexpr double usual_area_error = 0.5;  // of the smallest face: with more, a face is missing or doubled
 // Limits of coordinates, in the unit of the file: their squares and products are numbers of a computer.
 constexpr double least_size = 1e-50, largest_coordinate = 1e50;
 
@@ -129,17 +130,18 @@ class PatternBuilder {
   /// Compares the faces that the file lists with those of its edges.
   void check_area() const {
     if (file_.face_area == 0) return;
-    double area = 0;
-    for (const model::GraphFace& face : out_.faces)
-      area += signed_area(face.vertices.size(),
-                          [&](std::size_t k) { return out_.graph.vertices[face.vertices[k]]; });
-    const double share = file_.face_area / area;
-    const double error = std::max(usual_area_error, 4 * join_ / std::sqrt(area));
-    if (!(std::abs(share - 1) <= error))
+    double area = 0, least = file_.face_area;
+    for (const model::GraphFace& face : out_.faces) {
+      const double of_face = signed_area(
+          face.vertices.size(), [&](std::size_t k) { return out_.graph.vertices[face.vertices[k]]; });
+      area += of_face;
+      least = std::min(least, of_face);
+    }
+    if (!(std::abs(file_.face_area - area) <= usual_area_error * least))
       throw InvalidInput(fmt::format(
-          "faces_vertices covers {:.3g} % of the area between the edges, so faces are missing or overlap. "
+          "faces_vertices covers {:.4g} % of the area between the edges, so faces are missing or overlap. "
           "Give all faces of the flat pattern, or leave out faces_vertices",
-          100 * share));
+          100 * file_.face_area / area));
   }
 
   void keep_edges(const std::vector<bool>& is_kept) {
@@ -159,7 +161,8 @@ class PatternBuilder {
     for (std::size_t e = 0; e < faces.size(); ++e) is_kept[e] = out_.letters[e] != 'F' || faces[e] == 1;
     keep_edges(is_kept);
     if (out_.graph.edges.empty())
-      throw InvalidInput("no line of the pattern is a crease or part of the boundary. Give mountains and valleys");
+      throw InvalidInput(
+          "no line of the pattern is a crease or part of the boundary. Give mountains and valleys");
   }
 
   /// Merges the two edges of vertices that lie between them in a line. @return whether there are such vertices
@@ -233,19 +236,20 @@ class PatternBuilder {
     std::set<int> roots;
     for (int v = 0; v < static_cast<int>(out_.graph.vertices.size()); ++v) roots.insert(pieces.find(v));
     if (roots.size() > 1)
-      throw InvalidInput(fmt::format("the pattern is in {} pieces that do not touch, such as at {} and {}. "
-                                     "Give one connected pattern",
-                                     roots.size(), out_.name(*roots.begin()),
-                                     out_.name(*std::next(roots.begin()))));
+      throw InvalidInput(
+          fmt::format("the pattern is in {} pieces that do not touch, such as at {} and {}. "
+                      "Give one connected pattern",
+                      roots.size(), out_.name(*roots.begin()), out_.name(*std::next(roots.begin()))));
   }
 
   void check_ends() const {
     const std::vector<int> faces = out_.faces_of_edges();
     for (std::size_t e = 0; e < faces.size(); ++e)
       if (faces[e] == 0)
-        throw InvalidInput(out_.edge_name(static_cast<int>(e)) +
-                           " has no face on either side. Remove it, or continue it to other creases or to the "
-                           "boundary");
+        throw InvalidInput(
+            out_.edge_name(static_cast<int>(e)) +
+            " has no face on either side. Remove it, or continue it to other creases or to the "
+            "boundary");
   }
 
   const CreaseLines& file_;

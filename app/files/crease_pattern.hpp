@@ -32,9 +32,9 @@ CreaseLines read_cp_creases(const std::string& text);
 /// A crease pattern whose lines meet at vertices only.
 struct CreasePattern {
   model::PlanarGraph graph;
-  std::vector<char> letters;             ///< of the edges
-  std::vector<model::GraphFace> faces;   ///< counter-clockwise
-  std::vector<int> number;               ///< of each vertex in the file; -1 for crossings and drawings
+  std::vector<char> letters;            ///< of the edges
+  std::vector<model::GraphFace> faces;  ///< counter-clockwise
+  std::vector<int> number;              ///< of each vertex in the file; -1 for crossings and drawings
   /// Distance up to which ends were joined, in the unit of the file, if it is more than usual
   std::optional<double> joined = {};
 

@@ -10,7 +10,8 @@ namespace kinetix::app {
 namespace {
 
 constexpr const char* crease_colours =
-    "red for mountains, blue for valleys, black for the boundary, yellow for flat creases, green for cuts, or "
+    "red for mountains, blue for valleys, black for the boundary, yellow for flat creases, green for cuts, "
+    "or "
     "magenta for creases without a letter";
 
 /// Returns the letter of a colour, 0xRRGGBB; 0 for colours without one.
@@ -42,8 +43,9 @@ std::array<double, 5> numbers_of(std::string_view text, int line) {
     double number = 0;
     const auto [stop, error] = std::from_chars(text.data() + at, text.data() + end, number);
     if (count == out.size() || error != std::errc() || stop != text.data() + end || !std::isfinite(number))
-      throw InvalidInput("this is not a line of a crease pattern. Give a kind and the two ends: `2 x1 y1 x2 y2`",
-                         {"", line, static_cast<int>(at) + 1});
+      throw InvalidInput(
+          "this is not a line of a crease pattern. Give a kind and the two ends: `2 x1 y1 x2 y2`",
+          {"", line, static_cast<int>(at) + 1});
     out[count++] = number;
     at = end;
   }
@@ -60,17 +62,18 @@ CreaseLines read_drawn_creases(const targets::Drawing& drawing) {
   CreaseLines out{drawing.lines};
   for (const auto& [from, to, line, colour, chord_of] : drawing.lines) {
     if (chord_of >= 0)
-      throw InvalidInput(
-          fmt::format("a curve ({}) is not a crease that folds. Draw straight creases", drawing.curves[chord_of]),
-          {"", line, 1});
+      throw InvalidInput(fmt::format("a curve ({}) is not a crease that folds. Draw straight creases",
+                                     drawing.curves[chord_of]),
+                         {"", line, 1});
     const char letter = letter_of_colour(colour);
     if (letter == 0)
-      throw InvalidInput(fmt::format("creases do not have the colour #{:06x}. Use {}", colour, crease_colours),
-                         {"", line, 1});
+      throw InvalidInput(
+          fmt::format("creases do not have the colour #{:06x}. Use {}", colour, crease_colours),
+          {"", line, 1});
     out.letters.push_back(letter);
   }
-  if (std::find_if(out.letters.begin(), out.letters.end(), [](char c) { return c == 'M' || c == 'V' || c == 'U'; }) ==
-      out.letters.end())
+  if (std::find_if(out.letters.begin(), out.letters.end(),
+                   [](char c) { return c == 'M' || c == 'V' || c == 'U'; }) == out.letters.end())
     throw InvalidInput(fmt::format("the drawing has no creases by their colours. Use {}", crease_colours));
   // A px of a screen is no size of a sheet: Origami Simulator has patterns of any size in px.
   if (drawing.has_unit && drawing.unit_source.find("px") == std::string::npos) out.unit_mm = drawing.unit_mm;

@@ -17,9 +17,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Json = nlohmann::json;
 
-constexpr double plane_error = 1e-6;  // of the size of a pattern: vertices within this distance of a plane are in it
+constexpr double plane_error =
+    1e-6;  // of the size of a pattern: vertices within this distance of a plane are in it
 
-std::string numbered(const char* noun, std::size_t number) { return std::string(noun) + " " + std::to_string(number); }
+std::string numbered(const char* noun, std::size_t number) {
+  return std::string(noun) + " " + std::to_string(number);
+}
 
 /// A frame of a FOLD file with those from which it inherits.
 class InheritingFrame {
@@ -168,7 +171,8 @@ class FrameReader {
     for (const auto& [a, b] : edges_) out.lines.push_back({out.vertices[a], out.vertices[b]});
     out.letters = letters_;
     for (const auto& face : faces_)
-      out.face_area += std::abs(signed_area(face.size(), [&](std::size_t k) { return out.vertices[face[k]]; }));
+      out.face_area +=
+          std::abs(signed_area(face.size(), [&](std::size_t k) { return out.vertices[face[k]]; }));
     out.unit_mm = unit_of(frame_);
     return out;
   }
@@ -187,10 +191,12 @@ class FrameReader {
 
   void read_edges() {
     if (!frame_.has_list("edges_vertices")) {
-      if (faces_.empty() || frame_.has_list("edges_assignment")) InheritingFrame::refuse_without("edges_vertices");
+      if (faces_.empty() || frame_.has_list("edges_assignment"))
+        InheritingFrame::refuse_without("edges_vertices");
       std::set<std::pair<int, int>> known;
       for (const auto& face : faces_)
-        for (std::size_t k = 0; k < face.size(); ++k) known.insert(std::minmax(face[k], face[(k + 1) % face.size()]));
+        for (std::size_t k = 0; k < face.size(); ++k)
+          known.insert(std::minmax(face[k], face[(k + 1) % face.size()]));
       edges_.assign(known.begin(), known.end());
       letters_.assign(edges_.size(), 'U');
       return;
@@ -200,7 +206,8 @@ class FrameReader {
       const std::string name = numbered("edge", e);
       if (!edges[e].is_array() || edges[e].size() != 2)
         throw InvalidInput(name + " does not join two vertices. Give two different vertices");
-      edges_.emplace_back(index_of(edges[e][0], points_.size(), name), index_of(edges[e][1], points_.size(), name));
+      edges_.emplace_back(index_of(edges[e][0], points_.size(), name),
+                          index_of(edges[e][1], points_.size(), name));
       letters_.push_back(letter_of(e));
     }
   }
@@ -208,7 +215,8 @@ class FrameReader {
   /// Returns the fold angle of an edge, in degrees; empty if it has none.
   std::optional<double> angle_of(std::size_t edge) const {
     const Json* angles = frame_.find("edges_foldAngle");
-    if (!angles || !angles->is_array() || edge >= angles->size() || !(*angles)[edge].is_number()) return std::nullopt;
+    if (!angles || !angles->is_array() || edge >= angles->size() || !(*angles)[edge].is_number())
+      return std::nullopt;
     return (*angles)[edge].get<double>();
   }
 
@@ -222,7 +230,8 @@ class FrameReader {
     if (!words->is_array() || edge >= words->size() || !(*words)[edge].is_string())
       InheritingFrame::refuse_without("edges_assignment");
     const std::string word = (*words)[edge].get<std::string>();
-    const char letter = word.size() == 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(word[0]))) : ' ';
+    const char letter =
+        word.size() == 1 ? static_cast<char>(std::toupper(static_cast<unsigned char>(word[0]))) : ' ';
     if (letter == 'U') return letter_of_angle(angle.value_or(0), 'U');
     if (letter == 'J') return letter_of_angle(angle.value_or(0), 'F');
     if (std::string_view("MVBCF").find(letter) == std::string_view::npos)
@@ -295,7 +304,8 @@ CreaseLines read_fold_creases(const std::string& text) {
     if (auto lines = FrameReader(frame).lines()) return *std::move(lines);
   }
   if (!frames.empty())
-    throw InvalidInput("the vertices are not in a plane: this is a folded form. Give the flat crease pattern");
+    throw InvalidInput(
+        "the vertices are not in a plane: this is a folded form. Give the flat crease pattern");
   const InheritingFrame top(root, 0);
   for (const char* key : {"vertices_coords", "edges_vertices"})
     if (!top.has_list(key)) InheritingFrame::refuse_without(key);

@@ -148,9 +148,9 @@ constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 de
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
   if (!cell_edges.contains(edge_mm))
-    throw InvalidInput(fmt::format(
-        "the unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}", edge_mm,
-        cell_edges.lower, cell_edges.upper));
+    throw InvalidInput(
+        fmt::format("the unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}",
+                    edge_mm, cell_edges.lower, cell_edges.upper));
   return edge_mm;
 }
 
@@ -312,9 +312,9 @@ const targets::KeyTable& origami_keys() {
        "Each quadrilateral gets 2 x 2 bodies, and the tilts of its creases follow from the pattern"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
        "for `origami`: tilt of the hinges of the creases that fold most"},
-      cell_mm_key(
-          targets::otherwise("for `origami` the size of the file if it has a unit (`frame_unit`, or a size in mm, "
-                             "cm or in), else 10")),
+      cell_mm_key(targets::otherwise(
+          "for `origami` the size of the file if it has a unit (`frame_unit`, or a size in mm, "
+          "cm or in), else 10")),
       wall_mm_key(),
   });
   return keys;

@@ -22,22 +22,25 @@ CreaseLines read_crease_lines(const std::string& text, const std::string& file) 
   return read_fold_creases(text);
 }
 
-std::vector<std::string> notes_on(const CreasePattern& pattern, const model::SolvedSigns& signs, double moved) {
+std::vector<std::string> notes_on(const CreasePattern& pattern, const model::SolvedSigns& signs,
+                                  double moved) {
   std::vector<std::string> notes;
   if (pattern.joined)
     notes.push_back(fmt::format("ends of creases up to {:.2g} apart were joined, in the unit of the file",
                                 *pattern.joined));
   if (signs.is_either)
-    notes.push_back(fmt::format("none of {} creases is mountain or valley. They follow from the angles up to turning "
-                                "the sheet over, and one of its two sides was chosen",
-                                signs.solved));
+    notes.push_back(
+        fmt::format("none of {} creases is mountain or valley. They follow from the angles up to turning "
+                    "the sheet over, and one of its two sides was chosen",
+                    signs.solved));
   else if (signs.solved > 0)
     notes.push_back(fmt::format("mountain or valley of {} follows from the angles and the other creases",
                                 targets::counted(signs.solved, "crease")));
   if (moved > reported_move)
-    notes.push_back(fmt::format("vertices were moved by up to {:.2g} % of the mean edge, so that the pattern folds "
-                                "flat",
-                                100 * moved));
+    notes.push_back(
+        fmt::format("vertices were moved by up to {:.2g} % of the mean edge, so that the pattern folds "
+                    "flat",
+                    100 * moved));
   return notes;
 }
 

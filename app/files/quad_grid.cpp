@@ -52,29 +52,33 @@ std::string counts_text(const std::map<std::size_t, std::size_t>& counts, const 
   int kinds = 0;
   for (const auto& [number, count] : counts) {
     if (++kinds > most_kinds) return text + ", and others";
-    text += fmt::format("{}{} {} of {} {}", text.empty() ? "" : ", ", count, count == 1 ? noun.one : noun.several,
-                        number, noun.parts);
+    text += fmt::format("{}{} {} of {} {}", text.empty() ? "" : ", ", count,
+                        count == 1 ? noun.one : noun.several, number, noun.parts);
   }
   return text;
 }
 
 /// Refuses a pattern in one message about all of it.
 [[noreturn]] void refuse_misfits(const CreasePattern& p, const Misfits& misfits) {
-  std::vector<std::string> parts = {counts_text(misfits.faces, {"face", "faces", "corners"}),
-                                    counts_text(misfits.vertices, {"inner vertex", "inner vertices", "creases"})};
+  std::vector<std::string> parts = {
+      counts_text(misfits.faces, {"face", "faces", "corners"}),
+      counts_text(misfits.vertices, {"inner vertex", "inner vertices", "creases"})};
   if (misfits.cuts > 0)
     parts.push_back(fmt::format("{} with faces on both sides, such as {}",
-                                targets::counted(misfits.cuts, "cut or boundary line"), p.edge_name(misfits.cut)));
+                                targets::counted(misfits.cuts, "cut or boundary line"),
+                                p.edge_name(misfits.cut)));
   std::erase(parts, "");
   const bool has_triangles_only = misfits.faces.size() == 1 && misfits.faces.begin()->first == 3;
   const char* advice =
       misfits.cuts > 0 ? "Remove cuts, or assign \"M\" or \"V\" to them"
       : has_triangles_only
-          ? "If its triangles are halves of flat quadrilaterals, assign \"F\" to their common edges (yellow in "
+          ? "If its triangles are halves of flat quadrilaterals, assign \"F\" to their common edges (yellow "
+            "in "
             "drawings)"
           : "Give quadrilaterals with four creases at each inner vertex, such as a Miura sheet";
-  throw InvalidInput(fmt::format("the pattern is not a mesh of quadrilaterals that fold flat: of {} it has {}. {}",
-                                 targets::counted(p.faces.size(), "face"), fmt::join(parts, ", "), advice));
+  throw InvalidInput(
+      fmt::format("the pattern is not a mesh of quadrilaterals that fold flat: of {} it has {}. {}",
+                  targets::counted(p.faces.size(), "face"), fmt::join(parts, ", "), advice));
 }
 
 [[noreturn]] void refuse_grid() {

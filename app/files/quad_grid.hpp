@@ -7,7 +7,7 @@ namespace kinetix::app {
 
 /// A pattern of quadrilaterals in columns and rows.
 struct QuadGrid {
-  model::QuadMesh mesh;         ///< `rising` and `level`: 1 for valleys, -1 for mountains, 0 if not known
+  model::QuadMesh mesh;        ///< `rising` and `level`: 1 for valleys, -1 for mountains, 0 if not known
   std::vector<int> vertex_of;  ///< vertex of the pattern for each vertex of the mesh
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double least_solved_ratio = 0.03;
 // Differences of logarithms of multipliers that fit, tried from exact patterns to those whose vertices are off by 3 %.
 constexpr double fitting_logarithms[] = {0.005, 0.05, 0.3};
-constexpr int max_tried_lines = 2000;        // rows and columns whose signs are solved
+constexpr int max_tried_lines = 2000;         // rows and columns whose signs are solved
 constexpr std::size_t max_tries = 2'000'000;  // compared vertices, some seconds
 
 /// Creases of an inner vertex: right, up, left, down.
@@ -101,8 +101,7 @@ class SignSolver {
                          " does not fold: two of its creases lie on one line, and the other two are at right "
                          "angles to them. Change an angle");
     if (product == 0)
-      throw InvalidInput(name_(i, j) +
-                         " does not fold with its mountains and valleys. Change one of them");
+      throw InvalidInput(name_(i, j) + " does not fold with its mountains and valleys. Change one of them");
     if (product > 0)
       throw InvalidInput(name_(i, j) +
                          " does not fold. Give its opposite creases as one pair of equal folds, and one pair "
@@ -118,11 +117,13 @@ class SignSolver {
           for (int k = 0; k < 4; ++k)
             if (*crease(i, j, k) == 0) {
               const int to_i = i + (k == 0) - (k == 2), to_j = j + (k == 1) - (k == 3);
-              throw InvalidInput("creases without mountain or valley fold in several ways. Assign \"M\" or \"V\" to "
-                                 "more of them, such as the crease from " +
-                                 name_(i, j) + " to " + name_(to_i, to_j));
+              throw InvalidInput(
+                  "creases without mountain or valley fold in several ways. Assign \"M\" or \"V\" to "
+                  "more of them, such as the crease from " +
+                  name_(i, j) + " to " + name_(to_i, to_j));
             }
-    throw InvalidInput("the pattern is too large to solve for mountains and valleys. Assign them to all creases");
+    throw InvalidInput(
+        "the pattern is too large to solve for mountains and valleys. Assign them to all creases");
   }
 
   bool is_open() const {

@@ -12,7 +12,7 @@ using VertexName = std::function<std::string(int i, int j)>;
 
 /// Result of solving for unknown mountains and valleys.
 struct SolvedSigns {
-  int solved = 0;         ///< number of creases whose sign was not given
+  int solved = 0;          ///< number of creases whose sign was not given
   bool is_either = false;  ///< true if no sign was given: the sheet may also be turned over
 };
 

@@ -14,8 +14,10 @@ using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 constexpr int most_mending_steps = 20;  // of Newton's method: patterns that can be mended need some five
-constexpr double mended_residual = 1e-12;  // rad and logarithm of a ratio: rounding of some hundred operations
-constexpr double dependent_conditions = 1e-12;  // added to the matrix of conditions, whose entries are about 1
+constexpr double mended_residual =
+    1e-12;  // rad and logarithm of a ratio: rounding of some hundred operations
+constexpr double dependent_conditions =
+    1e-12;  // added to the matrix of conditions, whose entries are about 1
 
 /// One condition: its value, and its derivatives by coordinates.
 struct Condition {
@@ -136,7 +138,8 @@ class Mending {
     VectorXd value(rows), back(columns);
     for (Eigen::Index k = 0; k < rows; ++k) {
       value[k] = conditions_[k].value;
-      for (const auto& [coordinate, slope] : conditions_[k].slopes) entries.emplace_back(k, coordinate, slope);
+      for (const auto& [coordinate, slope] : conditions_[k].slopes)
+        entries.emplace_back(k, coordinate, slope);
     }
     for (std::size_t v = 0; v < m_.vertices.size(); ++v)
       back.segment<2>(static_cast<Eigen::Index>(2 * v)) = given_.vertices[v] - m_.vertices[v];
@@ -162,8 +165,7 @@ class Mending {
     for (const auto* all : {&rising, &level})
       for (const double c : *all) most = std::max(most, c);
     for (int i = 1; i <= p_; ++i)
-      for (int j = 0; j <= q_; ++j)
-        m_.rising[m_.rising_crease(i, j)] *= std::exp(rising[i - 1] - most);
+      for (int j = 0; j <= q_; ++j) m_.rising[m_.rising_crease(i, j)] *= std::exp(rising[i - 1] - most);
     for (int j = 1; j <= q_; ++j)
       for (int i = 0; i <= p_; ++i) m_.level[m_.level_crease(i, j)] *= std::exp(level[j - 1] - most);
   }
@@ -190,9 +192,10 @@ class Mending {
                          number_text(to_degrees(sector[0] + sector[2])) +
                          " deg, and 180 deg is farther than " + limit + ". Correct its angles");
     }
-    throw InvalidInput("the pattern does not fold rigidly: the creases of its vertices fold in ratios that do not "
-                       "fit together, by more than " +
-                       limit + ". Change angles, or mountains and valleys");
+    throw InvalidInput(
+        "the pattern does not fold rigidly: the creases of its vertices fold in ratios that do not "
+        "fit together, by more than " +
+        limit + ". Change angles, or mountains and valleys");
   }
 
   QuadMesh given_, m_;  ///< vertices in mean edges

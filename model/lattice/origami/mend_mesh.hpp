@@ -6,8 +6,8 @@ namespace kinetix::model {
 
 /// A mesh that folds flat and rigidly, near another one.
 struct MendedMesh {
-  QuadMesh mesh;      ///< with multipliers; that of the steepest crease: 1
-  double moved = 0;   ///< largest move of a vertex, mean edges
+  QuadMesh mesh;     ///< with multipliers; that of the steepest crease: 1
+  double moved = 0;  ///< largest move of a vertex, mean edges
 };
 
 /// Limit of moves of vertices, mean edges.

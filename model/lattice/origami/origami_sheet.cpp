@@ -32,8 +32,7 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
   if (!(high - low >= least_psi_interval))
     throw InvalidInput("there is no room for bodies round vertex [" + std::to_string(i) + ", " +
                        std::to_string(j) + "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
-                       number_text(to_degrees(c.b)) +
-                       " deg are too uneven. Give sectors from 20 to 160 deg");
+                       number_text(to_degrees(c.b)) + " deg are too uneven. Give sectors from 20 to 160 deg");
   c.psi = (low + high) / 2;
   c.beside = {c.psi, c.a - c.psi, c.b - c.a + c.psi, pi - c.b - c.psi};
   const std::array<double, 4> lengths = {right.norm(), (m.at(i, j + 1) - m.at(i, j)).norm(),

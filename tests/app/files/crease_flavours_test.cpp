@@ -11,10 +11,10 @@ namespace kinetix::app {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using testing::crease_text;
 using testing::CreaseText;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 model::QuadMesh random_sheet(int columns, int rows, unsigned seed) {
   std::mt19937 random(seed);
@@ -45,7 +45,8 @@ void expect_same(const OrigamiFile& found, const OrigamiFile& wanted) {
   EXPECT_LE(fold_gap(found.mesh, 0.8), 1e-11);
 }
 
-void expect_refusal(const std::string& text, const std::string& file, const ::testing::Matcher<std::string>& reason) {
+void expect_refusal(const std::string& text, const std::string& file,
+                    const ::testing::Matcher<std::string>& reason) {
   try {
     parse_origami(text, file);
     ADD_FAILURE() << "not refused";
@@ -86,7 +87,8 @@ TEST(CreaseFlavours, LieInAnyPlane) {
     }
     return text.fold();
   };
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                        z = Eigen::Vector3d::UnitZ();
   expect_same(parse_origami(placed(x, y, 1e-9 * z), "a.fold"), flat);
   expect_same(parse_origami(placed(x, z, 3 * y), "a.fold"), flat);
   expect_same(parse_origami(placed(z, x, {1, 2, 3}), "a.fold"), flat);
@@ -122,11 +124,13 @@ TEST(CreaseFlavours, StrongerLettersOfDoubledEdgesCount) {
   }
   expect_same(parse_origami(text.fold(), "a.fold"), whole);
   text.edges = edges;
-  const auto mountain = std::find_if(edges.begin(), edges.end(), [](const auto& e) { return e.letter == "M"; });
+  const auto mountain =
+      std::find_if(edges.begin(), edges.end(), [](const auto& e) { return e.letter == "M"; });
   text.edges.push_back({mountain->from, mountain->to, "V"});
-  expect_refusal(text.fold(), "a.fold",
-                 HasSubstr(fmt::format("the crease from vertex {} to vertex {} is both mountain and valley",
-                                       std::min(mountain->from, mountain->to), std::max(mountain->from, mountain->to))));
+  expect_refusal(
+      text.fold(), "a.fold",
+      HasSubstr(fmt::format("the crease from vertex {} to vertex {} is both mountain and valley",
+                            std::min(mountain->from, mountain->to), std::max(mountain->from, mountain->to))));
 }
 
 // A random sheet folds in one way with its angles, apart from turning it over.
@@ -147,13 +151,15 @@ TEST(CreaseFlavours, LettersThatDoNotFollowAreAskedFor) {
   data.level[0] *= 1.5;
   CreaseText text = crease_text(model::march(data).mesh);
   text.letter("U", [](const auto& edge) { return edge.letter != "B"; });
-  expect_refusal(text.fold(), "a.fold",
-                 AllOf(HasSubstr("fold in several ways"), HasSubstr("such as the crease from vertex 4 to vertex")));
+  expect_refusal(
+      text.fold(), "a.fold",
+      AllOf(HasSubstr("fold in several ways"), HasSubstr("such as the crease from vertex 4 to vertex")));
 }
 
 TEST(CreaseFlavours, LettersThatContradictAreRefused) {
   CreaseText text = miura_text(4, 4);
-  const auto inner = std::find_if(text.edges.begin(), text.edges.end(), [](const auto& e) { return e.letter != "B"; });
+  const auto inner =
+      std::find_if(text.edges.begin(), text.edges.end(), [](const auto& e) { return e.letter != "B"; });
   inner->letter = inner->letter == "M" ? "V" : "M";
   expect_refusal(text.fold(), "a.fold", HasSubstr(" does not fold"));
 }
@@ -182,9 +188,12 @@ TEST(CreaseFlavours, RoundingIsMendedUpToThreePercent) {
 
 TEST(CreaseFlavours, FramesAreSearchedForTheFlatPattern) {
   const CreaseText text = miura_text(3, 3);
-  const std::string pattern = text.fold(), pose = "\"vertices_coords\": [[0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, 5]], "
-                                                  "\"faces_vertices\": [[0, 1, 3, 2]]";
-  const std::string file = "{" + pose + ", \"frame_classes\": [\"foldedForm\"], \"file_frames\": [" + pattern + "]}";
+  const std::string pattern = text.fold(),
+                    pose =
+                        "\"vertices_coords\": [[0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, 5]], "
+                        "\"faces_vertices\": [[0, 1, 3, 2]]";
+  const std::string file =
+      "{" + pose + ", \"frame_classes\": [\"foldedForm\"], \"file_frames\": [" + pattern + "]}";
   expect_same(parse_origami(file, "a.fold"), parse_origami(pattern, "a.fold"));
 }
 
@@ -196,7 +205,8 @@ TEST(CreaseFlavours, DrawnLinesCrossAndBreakAnywhere) {
   text.vertices.push_back(middle);
   text.edges.push_back({0, static_cast<int>(text.vertices.size()) - 1, "B"});
   expect_same(parse_origami(text.svg(), "a.svg"), whole);
-  const OrigamiFile in_cm = parse_origami(text.svg("width='10cm' height='10cm' viewBox='0 0 10 10'"), "a.svg");
+  const OrigamiFile in_cm =
+      parse_origami(text.svg("width='10cm' height='10cm' viewBox='0 0 10 10'"), "a.svg");
   ASSERT_TRUE(in_cm.unit_mm);
   EXPECT_NEAR(*in_cm.unit_mm, 10, 1e-9);
   EXPECT_FALSE(whole.unit_mm);
@@ -230,8 +240,9 @@ TEST(CreaseFlavours, OtherPatternsAreRefusedInOneMessage) {
                        HasSubstr("assign \"F\" to their common edges")));
   text = whole;
   text.letter("C", [&](const auto& edge) { return edge.from == face[0] && edge.to == face[1]; });
-  expect_refusal(text.svg(), "a.svg",
-                 AllOf(HasSubstr("1 cut or boundary line with faces on both sides"), HasSubstr("Remove cuts")));
+  expect_refusal(
+      text.svg(), "a.svg",
+      AllOf(HasSubstr("1 cut or boundary line with faces on both sides"), HasSubstr("Remove cuts")));
   text = whole;
   text.faces.pop_back();
   expect_refusal(text.fold(), "a.fold", HasSubstr("faces are missing or overlap"));
@@ -244,9 +255,11 @@ TEST(CreaseFlavours, WrongLinesAreNamedByTheirPlace) {
   const auto svg = [](const std::string& content) {
     return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'>" + content + "</svg>";
   };
-  expect_refusal(svg("<line x2='1' y2='1' stroke='#808080'/>"), "a.svg", HasSubstr("do not have the colour #808080"));
+  expect_refusal(svg("<line x2='1' y2='1' stroke='#808080'/>"), "a.svg",
+                 HasSubstr("do not have the colour #808080"));
   expect_refusal(svg("<circle r='3' stroke='red'/>"), "a.svg", HasSubstr("a curve (circle) is not a crease"));
-  expect_refusal(svg("<line x2='1' y2='1' stroke='black'/>"), "a.svg", HasSubstr("no creases by their colours"));
+  expect_refusal(svg("<line x2='1' y2='1' stroke='black'/>"), "a.svg",
+                 HasSubstr("no creases by their colours"));
 }
 
 TEST(CreaseFlavours, TailsAndPiecesAreNamed) {

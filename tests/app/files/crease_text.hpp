@@ -25,7 +25,8 @@ struct CreaseText {
       ends += fmt::format("{}[{}, {}]", ends.empty() ? "" : ", ", edge.from, edge.to);
       letters += fmt::format("{}\"{}\"", letters.empty() ? "" : ", ", edge.letter);
     }
-    for (const auto& face : faces) corners += fmt::format("{}[{}]", corners.empty() ? "" : ", ", fmt::join(face, ", "));
+    for (const auto& face : faces)
+      corners += fmt::format("{}[{}]", corners.empty() ? "" : ", ", fmt::join(face, ", "));
     const std::string listed = faces.empty() ? "" : fmt::format(", \"faces_vertices\": [{}]", corners);
     return fmt::format(
         "{{{}\"vertices_coords\": [{}], \"edges_vertices\": [{}], \"edges_assignment\": [{}]{}}}", more,
@@ -43,8 +44,8 @@ struct CreaseText {
                            : edge.letter == "U" ? "magenta"
                            : edge.letter == "C" ? "green"
                                                 : "#000000";
-      lines += fmt::format("<line x1='{:.9g}' y1='{:.9g}' x2='{:.9g}' y2='{:.9g}' stroke='{}'/>\n", a.x(), -a.y(), b.x(),
-                           -b.y(), colour);
+      lines += fmt::format("<line x1='{:.9g}' y1='{:.9g}' x2='{:.9g}' y2='{:.9g}' stroke='{}'/>\n", a.x(),
+                           -a.y(), b.x(), -b.y(), colour);
     }
     return fmt::format("<svg xmlns='http://www.w3.org/2000/svg' {}>\n{}</svg>\n", size, lines);
   }

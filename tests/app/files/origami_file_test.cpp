@@ -102,7 +102,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   expect_refused(replaced(good, "edges_vertices", "edges"), "it has no `edges_vertices`");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10]"), "faces_vertices covers ");
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10, 99]"), "face 0 refers to a missing vertex");
-  mesh.at(1, 1) += Eigen::Vector2d(0.1, 0.05);
+  mesh.at(1, 1) += Eigen::Vector2d(0.15, 0.08);
   expect_refused(fold_text(mesh, 9),
                  "vertex 10 is not flat-foldable: opposite angles between its creases add up to");
   std::string unlike = good;

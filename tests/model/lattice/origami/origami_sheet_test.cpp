@@ -60,7 +60,8 @@ TEST(OrigamiSheet, HasOneDegreeOfFreedom) {
 /// Walls of sharp sheets cross the extensions of creases.
 TEST(OrigamiSheet, OfSharpSectorsStaysClosedToo) {
   for (const double angle_deg : {21, 36, 45, 48}) {
-    const OrigamiSheet sheet = origami_sheet(march(miura(5, 4, angle_deg * radians_per_degree, 1.2)).mesh, {});
+    const OrigamiSheet sheet =
+        origami_sheet(march(miura(5, 4, angle_deg * radians_per_degree, 1.2)).mesh, {});
     for (const double theta : {0.02, 0.3, 0.9, -0.5}) {
       const HingeGaps gaps = hinge_gaps(sheet.structure, fold(sheet, theta));
       EXPECT_LE(gaps.max, 1e-11) << angle_deg << " deg, theta " << theta;
