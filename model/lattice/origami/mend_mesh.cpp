@@ -1,8 +1,9 @@
 #include "model/lattice/origami/mend_mesh.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <array>
 
+#include "model/base/decompositions.hpp"
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
@@ -147,8 +148,8 @@ class Mending {
     slopes.setFromTriplets(entries.begin(), entries.end());
     SparseMatrix square = slopes * slopes.transpose();
     for (Eigen::Index k = 0; k < rows; ++k) square.coeffRef(k, k) += dependent_conditions;
-    const Eigen::SimplicialLDLT<SparseMatrix> solver(square);
-    if (solver.info() != Eigen::Success) refuse();
+    SparseFactor solver;
+    if (!solver.compute(square)) refuse();
     const VectorXd force = solver.solve(value + slopes * back);
     const VectorXd step = back - slopes.transpose() * force;
     if (!step.allFinite() || step.cwiseAbs().maxCoeff() > 1) refuse();
