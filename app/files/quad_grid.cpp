@@ -111,15 +111,20 @@ class GridWalk {
     return {corner(face, k), corner(face, k + 1), corner(face, k + 2), corner(face, k + 3)};
   }
 
-  /// Returns the face of the lowest vertex that only one face has, with that vertex at its front.
+  /// Returns the face of the vertex with the lowest number in the file that only one face has. That vertex is at its
+  /// front.
   std::vector<int> corner_face() const {
     std::vector<int> count(p_.graph.vertices.size(), 0);
     for (const model::GraphFace& face : p_.faces)
       for (const int v : face.vertices) ++count[v];
+    std::vector<int> first;
     for (std::size_t f = 0; f < p_.faces.size(); ++f)
-      for (int k = 0; k < 4; ++k)
-        if (count[corner(f, k)] == 1) return face_from(f, k);
-    refuse_grid();
+      for (int k = 0; k < 4; ++k) {
+        const int v = corner(f, k);
+        if (count[v] == 1 && (first.empty() || p_.number[v] < p_.number[first[0]])) first = face_from(f, k);
+      }
+    if (first.empty()) refuse_grid();
+    return first;
   }
 
   /// Replaces `face` by the face that has the edge from a to b counter-clockwise, and begins with it. @return false if

@@ -120,7 +120,7 @@ TEST(CreaseFlavours, StrongerLettersOfDoubledEdgesCount) {
   const auto edges = text.edges;
   for (const auto& [from, to, letter] : edges) {
     text.edges.push_back({to, from, "F"});
-    text.edges.insert(text.edges.begin(), {from, to, "U"});
+    text.edges.insert(text.edges.begin(), CreaseText::Edge{from, to, "U"});
   }
   expect_same(parse_origami(text.fold(), "a.fold"), whole);
   text.edges = edges;
