@@ -140,7 +140,7 @@ class PatternBuilder {
     if (!(std::abs(file_.face_area - area) <= usual_area_error * least))
       throw InvalidInput(fmt::format(
           "faces_vertices covers {:.4g} % of the area between the edges, so faces are missing or overlap. "
-          "Give all faces of the flat pattern, or leave out faces_vertices",
+          "Give each face of the flat pattern once, or remove this list",
           100 * file_.face_area / area));
   }
 

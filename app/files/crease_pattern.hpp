@@ -20,8 +20,8 @@ struct CreaseLines {
 /// `edges_foldAngle` count. They come from the first flat crease pattern among the file and its `file_frames`.
 CreaseLines read_fold_creases(const std::string& text);
 
-/// Reads the creases of an SVG or DXF drawing by the colours of Origami Simulator: red mountains, blue valleys, black
-/// boundary, yellow flat creases, green cuts, and magenta creases without a letter.
+/// Reads the creases of an SVG or DXF drawing by the colours of Origami Simulator. Mountains are red, valleys blue, flat
+/// creases yellow and creases without a letter magenta. The boundary is black, and cuts are green.
 /// @throws InvalidInput with a line for curves and other colours
 CreaseLines read_drawn_creases(const targets::Drawing& drawing);
 
@@ -47,9 +47,9 @@ struct CreasePattern {
 /// Makes a planar pattern of lines that may cross, overlap and end near each other. Of lines that overlap, the one with
 /// the stronger letter counts: flat, unknown, boundary, mountain or valley, cut. Faces are merged across flat edges,
 /// and straight vertices without other creases are left out.
-/// @param is_wide whether ends are joined up to 3 % of the median line, instead of the usual distance of drawings
-/// @throws InvalidInput for creases that are both mountain and valley, that end inside a face, and for patterns in
-/// several pieces
+/// @param is_wide whether ends are joined up to 3 % of the median line, instead of the distance for drawings.
+/// @throws InvalidInput for creases that are both mountain and valley, or end inside a face. Patterns in several pieces
+/// also throw.
 CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide = false);
 
 }  // namespace kinetix::app

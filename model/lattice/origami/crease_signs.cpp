@@ -9,7 +9,7 @@
 namespace kinetix::model {
 namespace {
 
-// Relative: with unknown signs, a crease that folds less than this share of its neighbours is taken for flat.
+// Relative: with unknown signs, a crease that folds less than this share of its neighbours counts as flat.
 constexpr double least_solved_ratio = 0.03;
 // Differences of logarithms of multipliers that fit, tried from exact patterns to those whose vertices are off by 3 %.
 constexpr double fitting_logarithms[] = {0.005, 0.05, 0.3};

@@ -14,9 +14,10 @@ struct MendedMesh {
 inline constexpr double most_moved = 0.03;
 
 /// Moves the vertices of a mesh as little as possible, in the least-squares sense, until it folds flat and rigidly to
-/// the last digit. Its conditions are local. With sectors a, b, c, d about an inner vertex:
+/// the last digit. The conditions are local, with sectors a, b, c, d about an inner vertex. r is its fold_ratio(a, b).
 ///
-///     a + c = pi,    r(i, j) r(i + 1, j + 1) = r(i + 1, j) r(i, j + 1),    r = fold_ratio(a, b)
+///     a + c = pi
+///     r(i, j) r(i + 1, j + 1) = r(i + 1, j) r(i, j + 1)
 ///
 /// @param mesh with the signs of all creases in `rising` and `level`   @param name of vertices in messages
 /// @throws InvalidInput, naming a vertex, if a vertex would move by more than `most_moved`
