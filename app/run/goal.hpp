@@ -49,6 +49,9 @@ class Goal {
                                           const model::State& /*state*/) const {
     return std::nullopt;
   }
+  /// Returns keys of the file with which a goal that was missed is met, in YAML, if the kind searches for them. Empty:
+  /// none found.
+  virtual std::string find_sufficient_keys(const Run& /*missed*/, const RunOptions&) const { return {}; }
 };
 
 /// Number under `metrics` in result.json.

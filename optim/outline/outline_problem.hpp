@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "model/lattice/planar/planar_motion.hpp"
+#include "optim/outline/panel_symmetry.hpp"
 #include "optim/solvers/box_least_squares.hpp"
 #include "targets/outline/outline.hpp"
 
@@ -35,7 +36,8 @@ struct OutlineProblem {
   double flat_scale = 1;                          ///< mm of it per cell edge
   double theta = 0;                               ///< rad, in (0, pi/2)
   WallBounds bounds;
-  std::stop_token stop = {};  ///< on request, the iteration ends
+  std::vector<PanelSymmetry> symmetries = {};  ///< that the panel keeps; bounds have them, too
+  std::stop_token stop = {};                   ///< on request, the iteration ends
 };
 
 /// Result of improve().

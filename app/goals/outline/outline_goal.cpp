@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/console/short_form.hpp"
+#include "app/goals/outline/sufficient_cells.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
@@ -143,6 +144,11 @@ class OutlineGoal final : public Goal {
           {{body}, state[body].p, motion.R.transpose() * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
+  }
+
+  std::string find_sufficient_keys(const Run& missed, const RunOptions& options) const override {
+    const auto& design = outcome_of<OutlineOutcome>(missed).design;
+    return is_met(file_, design) ? "" : find_sufficient_cells(file_, design, options);
   }
 
  private:
