@@ -1,81 +1,21 @@
 #include "app/goals/outline/outline_search.hpp"
 
-#include <fmt/format.h>
-
 #include "model/base/parallel_runs.hpp"
-#include "model/lattice/planar/regular_lattices.hpp"
 #include "optim/outline/refined_shape.hpp"
 
 namespace kinetix::app {
 namespace {
 
-using model::LatticeCell;
-using Cells = std::vector<LatticeCell>;
-
 constexpr int max_tried_cells = 1500;  // larger panels try one cut only: a search takes seconds
 constexpr double same_size = 1e-3;     // ratio: with less difference, walls and offsets match the search
 constexpr std::size_t max_cuts = 12;   // cuts that are fitted: as many as one orientation has
-constexpr double as_drawn = 1e-9;      // rad: smaller angles do not turn the outline
 constexpr double as_good = 0.01;       // ratio of errors: mirror images differ by less
 constexpr double as_near = 1.01;       // ratio of errors of a panel and one with larger cells
 // Columns or rows of panels with larger cells whose shapes are starts. The last one starts all larger panels.
 constexpr int start_sides[] = {8, 12, 16, 20};
-// Ratio: a boundary along the walls of larger cells contains the smaller cells whose middle is on it.
-constexpr double inwards = 0.999;
 // Rounding step of a cut's error, ratio. Cuts that are rotations of each other get equal errors, so their order does
 // not depend on the orientation of the drawing.
 constexpr double same_miss = 1e-6;
-
-/// Returns the cell edge (mm) of the panel that these cells make: the file's, else an estimate from areas.
-double edge_of(const OutlineFile& file, const Cells& cells) {
-  if (file.cell_mm) return *file.cell_mm;
-  const model::PlanarStructure panel = planar_structure(make_sheet(file.lattice, cells, {1, 0.1, 1}));
-  double area = 0;
-  for (const model::GraphFace& face : panel.faces)
-    area += signed_area(face.vertices.size(),
-                        [&](std::size_t k) { return panel.graph.vertices[face.vertices[k]]; });
-  if (file.flat) return std::sqrt(file.flat->area() / area);
-  return std::sqrt(file.folded.area() / area) / std::cos(file.theta[1]);
-}
-
-std::pair<const model::PlanarLattice*, double> lattice_of(const OutlineFile& file) {
-  return file.lattice.lattice ? std::pair(file.lattice.lattice, file.lattice.angle)
-                              : std::pair(&model::rhombus_lattice, pi / 2);
-}
-
-/// Returns the possible cuts of the lattice along an outline, at least one. @throws InvalidInput if there is none
-std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& folded) {
-  const auto [lattice, angle] = lattice_of(file);
-  std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, folded);
-  if (cuts.empty())
-    throw InvalidInput("no cells of the lattice are within the outline. Give more `structure.cells`");
-  return cuts;
-}
-
-/// Returns the angles (rad) that turn an outline onto the lattice, in steps of 45 deg from the outline's direction.
-/// @param steps 4 if the panel has two-fold rotational symmetry, else 8
-std::vector<double> turns_of(const targets::Outline& outline, int steps) {
-  const std::optional<double> direction = direction_of(outline);
-  if (!direction) return {0};
-  std::vector<double> out;
-  for (int k = 0; k < steps; ++k) {
-    const double turn = std::remainder(k * pi / 4 - *direction, 2 * pi);
-    out.push_back(std::abs(turn) < as_drawn ? 0 : turn);
-  }
-  return out;
-}
-
-/// Returns the boundary of a panel at rest, scaled to the area of the outline and centred on it.
-std::vector<Eigen::Vector2d> boundary_over(const targets::Outline& outline,
-                                           const model::PlanarStructure& panel) {
-  std::vector<Eigen::Vector2d> rim;
-  for (const int v : outer_boundary(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
-  const double area = signed_area(rim.size(), [&](std::size_t k) { return rim[k]; });
-  Eigen::AlignedBox2d box;
-  for (Eigen::Vector2d& p : rim) box.extend(p *= std::sqrt(outline.area() / area));
-  for (Eigen::Vector2d& p : rim) p += outline.middle() - box.center();
-  return rim;
-}
 
 /// Orientation of the outline on the lattice, with a cut of the panel.
 struct Lay {
@@ -110,8 +50,9 @@ class OutlineSearch {
   /// Finds a design that starts at the shape of one with larger cells.
   FoundOutline refine(const FoundOutline& coarse) {
     if (flat_) turn_flat(coarse.flat_turn);
-    const Lay lay = {coarse.turn,
-                     file_.trims ? cut_along(coarse) : model::lattice_cells(file_.columns, file_.rows)};
+    const Lay lay = {coarse.turn, file_.trims ? cells_within(file_, panel_of(coarse.cells, coarse.edge_mm),
+                                                             ratio_to(coarse))
+                                              : model::lattice_cells(file_.columns, file_.rows)};
     const bool is_open = !file_.cell_mm && !file_.flat;
     return fitted(lay, is_open ? ratio_to(coarse) * coarse.design.scale : edge_of(file_, lay.cells), &coarse);
   }
@@ -159,20 +100,6 @@ class OutlineSearch {
   /// Returns the cell edges of a coarser panel per cell edge of this one.
   double ratio_to(const FoundOutline& coarse) const {
     return static_cast<double>(std::max(coarse.columns, coarse.rows)) / std::max(file_.columns, file_.rows);
-  }
-
-  /// Returns the cells whose middle is within a panel with larger cells.
-  Cells cut_along(const FoundOutline& coarse) const {
-    const model::PlanarStructure panel = panel_of(coarse.cells, 1);
-    std::vector<Eigen::Vector2d> corners;
-    for (const int v : outer_boundary(panel.graph).vertices) corners.push_back(panel.graph.vertices[v]);
-    const targets::Outline boundary(corners);
-    const auto [lattice, angle] = lattice_of(file_);
-    const Eigen::Vector2d from = model::lattice_box(*lattice, file_.columns, file_.rows, angle).center(),
-                          to = model::box_of(corners).center();
-    return model::cut_cells(*lattice, file_.columns, file_.rows, angle, [&](const Eigen::Vector2d& middle) {
-      return boundary.contains(to + inwards * ratio_to(coarse) * (middle - from));
-    });
   }
 
   /// Fits hinges and theta of a cut. @param edge_mm first cell edge   @param coarse start; null: none
@@ -339,13 +266,6 @@ class OutlineSearch {
 
 }  // namespace
 
-OutlineStart outline_start(const OutlineFile& file) {
-  OutlineStart start{file.trims ? cuts_of(file, file.folded).front()
-                                : model::lattice_cells(file.columns, file.rows)};
-  start.edge_mm = edge_of(file, start.cells);
-  return start;
-}
-
 bool is_met(const OutlineFile& file, const optim::OutlineDesign& design) {
   const auto meets = [&](const targets::OutlineError& error) {
     return error.rms <= file.shape_tolerance && error.iou >= file.iou_tolerance;
@@ -373,38 +293,53 @@ std::optional<FoundOutline> refine(const OutlineFile& file, const RunOptions& op
   return std::nullopt;
 }
 
-}  // namespace
-
-FoundOutline search_outline(const OutlineFile& file, const RunOptions& options, const FoundOutline* coarse) {
+/// Searches again from the shape of a coarser panel, and returns the better design. @param found without such a start;
+/// empty: searched only if the refined panel is worse than the coarser one   @param coarse null: none
+FoundOutline search_again(const OutlineFile& file, const RunOptions& options,
+                          std::optional<FoundOutline> found, const FoundOutline* coarse) {
   std::optional<FoundOutline> refined;
-  const bool is_large = std::max(file.columns, file.rows) > std::end(start_sides)[-1];
-  if (coarse && is_large && !file.trims) refined = refine(file, options, *coarse);
-  if (refined && !OutlineSearch::is_worse(*refined, *coarse)) return *refined;
-  OutlineSearch search(file, options);
-  FoundOutline found = search.find();
-  if (!coarse || found.design.stopped) return found;
-  if (!refined) refined = refine(file, options, *coarse);
-  if (!refined || !search.is_better(*refined, found, *coarse)) return found;
-  refined->cuts = found.cuts;
+  if (coarse && !(found && found->design.stopped)) refined = refine(file, options, *coarse);
+  if (!found && refined && !OutlineSearch::is_worse(*refined, *coarse)) return *refined;
+  if (!found) found = OutlineSearch(file, options).find();
+  if (!refined || !OutlineSearch(file, options).is_better(*refined, *found, *coarse)) return *found;
+  refined->cuts = found->cuts;
   return *refined;
 }
 
-FoundOutline search_outline(const OutlineFile& file, const RunOptions& options) {
-  std::optional<FoundOutline> coarse;
+/// Searches panels with fewer cells. Empty if there are none, or after a stop.
+std::optional<FoundOutline> search_coarse(const OutlineFile& file, const RunOptions& options) {
   RunOptions silent;
   silent.threads = options.threads;
   silent.seed = options.seed;
   silent.stop = options.stop;
+  std::optional<FoundOutline> coarse;
   for (const int side : start_sides) {
-    if (side >= std::max(file.columns, file.rows) || options.stop.stop_requested()) break;
+    if (side >= std::max(file.columns, file.rows)) break;
     try {
-      coarse = search_outline(with_cells(file, side), silent, coarse ? &*coarse : nullptr);
+      const OutlineFile fewer = with_cells(file, side);
+      coarse = search_again(fewer, silent, search_alone(fewer, silent), coarse ? &*coarse : nullptr);
     } catch (const InvalidInput&) {
       coarse.reset();  // too few cells for the outline, or for their walls
     }
+    if (options.stop.stop_requested()) return std::nullopt;
   }
-  if (coarse && coarse->design.stopped) coarse.reset();
-  return search_outline(file, options, coarse ? &*coarse : nullptr);
+  return coarse;
+}
+
+}  // namespace
+
+FoundOutline search_alone(const OutlineFile& file, const RunOptions& options) {
+  return OutlineSearch(file, options).find();
+}
+
+FoundOutline search_outline(const OutlineFile& file, const RunOptions& options) {
+  // A whole rectangle of many cells is seldom better than a refined one, and takes longest.
+  const bool is_large = !file.trims && std::max(file.columns, file.rows) > std::end(start_sides)[-1];
+  std::optional<FoundOutline> found;
+  if (!is_large) found = search_alone(file, options);
+  if (found && found->design.stopped) return *found;
+  const std::optional<FoundOutline> coarse = search_coarse(file, options);
+  return search_again(file, options, std::move(found), coarse ? &*coarse : nullptr);
 }
 
 }  // namespace kinetix::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/goals/outline/outline_file.hpp"
+#include "app/goals/outline/outline_layout.hpp"
 #include "app/run/run_options.hpp"
 #include "optim/outline/fit_outline.hpp"
 
@@ -12,10 +12,10 @@ struct FoundOutline {
   optim::OutlineDesign design;
   int cuts = 0;     ///< number of cuts of the lattice that were tried; 0: the panel is a whole rectangle
   double turn = 0;  ///< rotation of the outline from the drawing to the panel, rad
-  std::vector<model::LatticeCell> cells;  ///< of the lattice that the panel is cut from
-  int columns = 0, rows = 0;              ///< of the panel before it is trimmed
-  double edge_mm = 0;                     ///< cell edge
-  double flat_turn = 0;                   ///< rotation of the flat outline onto the panel, rad
+  Cells cells;      ///< of the lattice that the panel is cut from
+  int columns = 0, rows = 0;  ///< of the panel before it is trimmed
+  double edge_mm = 0;         ///< cell edge
+  double flat_turn = 0;       ///< rotation of the flat outline onto the panel, rad
 };
 
 /// Returns whether a design meets the goal of a file.
@@ -35,16 +35,7 @@ OutlineFile with_cells(OutlineFile file, int side);
 /// the shape of the one before it, too, and the better design counts. More cells are then seldom worse.
 /// @throws InvalidInput for a panel that its sizes do not allow
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options);
-/// Searches twice, the second time with the shape of a coarser panel as the start, and returns the better design.
-/// @param coarse null: none
-FoundOutline search_outline(const OutlineFile& file, const RunOptions& options, const FoundOutline* coarse);
-
-/// First panel of a search, for the forecast.
-struct OutlineStart {
-  std::vector<model::LatticeCell> cells;  ///< cells of the first cut of the lattice
-  double edge_mm = 0;                     ///< from the file, else from the areas of outline and panel
-};
-/// Returns the first panel of a search. @throws InvalidInput if no cells of the lattice are within the outline
-OutlineStart outline_start(const OutlineFile& file);
+/// Runs the search without panels of fewer cells.
+FoundOutline search_alone(const OutlineFile& file, const RunOptions& options);
 
 }  // namespace kinetix::app

@@ -34,7 +34,7 @@ class CellLadder {
     file.rows = std::max(1, static_cast<int>(std::lround(share * file_.rows)));
     options_.progress("search", -1);
     try {
-      const FoundOutline found = search_outline(file, silent_, nullptr);
+      const FoundOutline found = search_alone(file, silent_);
       tried_walls_ += static_cast<int>(found.design.panel.graph.edges.size());
       if (found.design.stopped || !is_met(file, found.design)) return false;
     } catch (const InvalidInput&) {

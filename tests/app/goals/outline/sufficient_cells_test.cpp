@@ -25,11 +25,11 @@ std::string bone() {
   return text + "]";
 }
 
-std::string target(const std::string& structure) {
+std::string bone_target(const std::string& structure) {
   return "kinetix: 1\ntarget: {kind: outline, points: " + bone() + "}\n" + structure;
 }
 
-app::Run run_of(const std::string& text) {
+app::Run run_bone(const std::string& text) {
   testing::TemporaryFolder folder;
   RunOptions options;
   options.verify = false;
@@ -39,13 +39,13 @@ app::Run run_of(const std::string& text) {
 
 /// The keys that a missed outline names are followed to the letter.
 TEST(SufficientCells, MeetTheGoalThatWasMissed) {
-  const app::Run missed = run_of(target("structure: {cells: [6, 6]}\n"));
+  const app::Run missed = run_bone(bone_target("structure: {cells: [6, 6]}\n"));
   ASSERT_FALSE(missed.met());
   const std::string& why = missed.violations.front();
   const std::size_t first = why.find("structure: {"), last = why.find("}`");
   ASSERT_NE(first, std::string::npos) << why;
   EXPECT_THAT(why, HasSubstr("the goal is met"));
-  const app::Run met = run_of(target(why.substr(first, last - first + 1) + "\n"));
+  const app::Run met = run_bone(bone_target(why.substr(first, last - first + 1) + "\n"));
   EXPECT_TRUE(met.met()) << (met.met() ? "" : met.violations.front());
 }
 
@@ -54,7 +54,7 @@ TEST(SufficientCells, AreNotSearchedForUnlessRequested) {
   RunOptions options;
   options.verify = false;
   const app::Run missed =
-      run_goal(*read_target(folder.write("bone.yaml", target("structure: {cells: [6, 6]}\n"))).goal, options);
+      run_goal(*read_target(folder.write("bone.yaml", bone_target("structure: {cells: [6, 6]}\n"))).goal, options);
   ASSERT_FALSE(missed.met());
   EXPECT_EQ(missed.violations.front().find("the goal is met"), std::string::npos);
 }
