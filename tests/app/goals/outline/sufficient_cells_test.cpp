@@ -53,8 +53,8 @@ TEST(SufficientCells, AreNotSearchedForUnlessRequested) {
   testing::TemporaryFolder folder;
   RunOptions options;
   options.verify = false;
-  const app::Run missed =
-      run_goal(*read_target(folder.write("bone.yaml", bone_target("structure: {cells: [6, 6]}\n"))).goal, options);
+  const app::Run missed = run_goal(
+      *read_target(folder.write("bone.yaml", bone_target("structure: {cells: [6, 6]}\n"))).goal, options);
   ASSERT_FALSE(missed.met());
   EXPECT_EQ(missed.violations.front().find("the goal is met"), std::string::npos);
 }
