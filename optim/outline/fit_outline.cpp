@@ -115,9 +115,9 @@ class BoundarySearch {
     given ? start(*given) : start();
     OutlineDesign found;
     const int most = problem_.flat ? most_of_free_panels : max_rounds_apart;
-    for (bool spread = !given;; spread = false) {
+    for (bool again = false;; again = true) {
       bound_offsets();
-      const OutlineProgress now = improve(problem_, shape_, spread, memory_);
+      const OutlineProgress now = improve(problem_, shape_, !given && !again, again, memory_);
       found.rounds += now.rounds;
       found.settled = now.settled;
       take(found);

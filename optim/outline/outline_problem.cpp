@@ -308,10 +308,10 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
   return best;
 }
 
-OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
+OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread, bool again,
                         BoxLeastSquaresMemory& memory) {
   OutlineProgress progress;
-  const int first = spread ? 0 : rounds_of_spreading, most = spread ? max_slides : max_rounds_again;
+  const int first = spread ? 0 : rounds_of_spreading, most = again ? max_rounds_again : max_slides;
   const auto solve = [&](const BoxLeastSquaresOptions& options) {
     Round round(problem, shape, first + progress.rounds++);
     BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);
