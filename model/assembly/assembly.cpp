@@ -1,8 +1,10 @@
 #include "model/assembly/assembly.hpp"
 
 #include <cstdio>
+#include <optional>
 #include <set>
 
+#include "model/assembly/bearing_faces.hpp"
 #include "model/assembly/cylinder_faces.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
@@ -195,25 +197,51 @@ class Builder {
     return nullptr;
   }
 
+  /// Round faces of a body.
+  struct Bearings {
+    std::vector<CylinderFace> cylinders;
+    std::vector<ConeFace> cones;
+    std::vector<BallFace> balls;
+  };
+
   void add_pins() {
-    std::vector<std::vector<CylinderFace>> faces;
-    for (const AssemblyBody& body : out_.bodies) faces.push_back(cylinder_faces(body.solid));
+    std::vector<Bearings> faces;
+    for (const AssemblyBody& body : out_.bodies)
+      faces.push_back({cylinder_faces(body.solid), cone_faces(body.solid), ball_faces(body.solid)});
     for (int a = 0; a < static_cast<int>(faces.size()); ++a)
       for (int b = a + 1; b < static_cast<int>(faces.size()); ++b) {
         if (!boxes_[a].intersects(boxes_[b])) continue;
-        std::vector<PinFit> fits = fits_of(faces[a], faces[b]);
-        for (const PinFit& more : fits_of(faces[b], faces[a])) fits.push_back(more);
-        for (const PinFit& fit : on_separate_axes(fits)) add_pin(a, b, fit);
+        std::vector<PinFit> pins;
+        std::vector<BallFit> balls;
+        for (const auto& [inner, outer] : {std::pair(a, b), std::pair(b, a)}) {
+          add_fits(faces[inner].cylinders, faces[outer].cylinders, pin_fit, pins);
+          add_fits(faces[inner].cones, faces[outer].cones, cone_fit, pins);
+          add_fits(faces[inner].balls, faces[outer].balls, ball_fit, balls);
+        }
+        add_pins_and_balls(a, b, std::move(pins), balls);
       }
   }
 
-  static std::vector<PinFit> fits_of(const std::vector<CylinderFace>& rods,
-                                     const std::vector<CylinderFace>& bores) {
-    std::vector<PinFit> out;
-    for (const CylinderFace& rod : rods)
-      for (const CylinderFace& bore : bores)
-        if (const auto fit = pin_fit(rod, bore)) out.push_back(*fit);
-    return out;
+  template <class Face, class Fit>
+  static void add_fits(const std::vector<Face>& inner, const std::vector<Face>& outer,
+                       std::optional<Fit> (*fit_of)(const Face&, const Face&), std::vector<Fit>& out) {
+    for (const Face& one : inner)
+      for (const Face& other : outer)
+        if (const auto fit = fit_of(one, other)) out.push_back(*fit);
+  }
+
+  /// Adds the hinges of two bodies. Two balls are a pin about the line through their centers. A ball on the axis of a
+  /// pin adds nothing, and one that is not retained by its socket holds nothing.
+  void add_pins_and_balls(int a, int b, std::vector<PinFit> pins, const std::vector<BallFit>& balls) {
+    if (balls.size() == 2) pins.push_back(pin_of_balls(balls[0], balls[1]));
+    pins = on_separate_axes(pins);
+    for (const PinFit& pin : pins) add_pin(a, b, pin);
+    for (const BallFit& ball : balls) {
+      const bool is_on_pin = std::any_of(pins.begin(), pins.end(), [&](const PinFit& pin) {
+        return pin.axis.cross(ball.center - pin.point).norm() < ball.ball_mm / 4;
+      });
+      if (ball.is_retained && !is_on_pin) add_ball(a, b, ball);
+    }
   }
 
   /// Merges all bearings on one axis into one, in the middle of the outermost ones.
@@ -253,9 +281,21 @@ class Builder {
     out_.hinges.push_back(std::move(hinge));
   }
 
+  void add_ball(int a, int b, const BallFit& fit) {
+    AssemblyHinge hinge{"ball_" + std::to_string(++balls_), a, b, HingeKind::pin, fit.center};
+    hinge.along = direction_across(out_.bodies[b].position - out_.bodies[a].position, hinge.axis);
+    hinge.reach_mm = fit.ball_mm / 2;
+    hinge.rod_mm = fit.ball_mm;
+    hinge.clearance_mm = fit.clearance_mm;
+    hinge.ball = true;
+    out_.hinges.push_back(std::move(hinge));
+  }
+
   void check_joined() const {
     if (out_.hinges.empty())
-      throw NoHinges("has no hinge: no soft part, and no hard part with a rod in the bore of another");
+      throw NoHinges(
+          "has no hinge: no soft part, and no hard part with a rod in a bore, a cone in a cup or a ball in a "
+          "socket of another");
     if (const auto body = first_apart(out_))
       throw InvalidInput("hard part `" + out_.bodies[*body].name + "` hangs on no chain of hinges with `" +
                          out_.bodies[0].name + "`");
@@ -286,7 +326,7 @@ class Builder {
   std::vector<Eigen::AlignedBox3d> boxes_;
   std::set<std::string> used_;
   Assembly out_;
-  int pins_ = 0;
+  int pins_ = 0, balls_ = 0;
 };
 
 /// Returns 1 and -1 alternately from body 0 on, across hinges.
