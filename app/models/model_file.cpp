@@ -212,8 +212,8 @@ ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file) 
 
 std::optional<model::TileSheet> read_tiles_of_obj(const std::string& file) {
   if (targets::lower_case(std::filesystem::path(file).extension().string()) != ".obj") return std::nullopt;
-  const std::string bytes = targets::read_bytes(file, targets::max_mesh_bytes);
   try {
+    const std::string bytes = targets::read_bytes(file, targets::max_mesh_bytes);
     ObjGroups groups(bytes, file);
     groups.read();
     return groups.tiles();

@@ -16,12 +16,14 @@ struct RemedyTrial {
   Run run;
 };
 
-/// Runs the file with changes; empty if the goal does not allow them.
+/// Runs the file with changes; empty if the goal does not allow them, or if a stop leaves nothing to keep.
 std::optional<RemedyTrial> try_remedy(const Goal& goal, const targets::DocumentChanges& changes,
                                       const RunOptions& options) try {
   const Goal::Changed changed = goal.change(changes);
   return RemedyTrial{changed.keys, run_goal(*changed.goal, options)};
 } catch (const InvalidInput&) {
+  return std::nullopt;
+} catch (const Interrupted&) {
   return std::nullopt;
 }
 

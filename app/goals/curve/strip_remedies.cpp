@@ -12,10 +12,11 @@ namespace {
 
 using targets::DocumentChanges;
 
-constexpr std::array wider_tilts = {60, 75};       // degrees: the default, and the most that still prints
-constexpr int largest_fold = 44;                   // degrees: basic cells close at 45
-constexpr double widest_position = 0.92;           // of a wall: nearer to its end a hinge meets the next wall
-constexpr std::array more_columns = {1.5, 2.0};    // ratios: most that is missed for its cells needs no more
+constexpr std::array wider_tilts = {60, 75};  // degrees: the default, and the most that still prints
+constexpr int largest_fold = 44;              // degrees: basic cells close at 45
+constexpr double widest_position = 0.92;      // of a wall: nearer to its end a hinge meets the next wall
+constexpr std::array more_columns = {1.5,
+                                     2.0};  // ratios: a search of twice as many takes eight times as long
 constexpr std::array fewer_columns = {0.75, 0.5};  // ratios: larger cells have more room for their walls
 constexpr double thinner = 0.7;                    // ratio of walls
 

@@ -315,8 +315,8 @@ std::vector<std::string> violations(const SpaceCurveOutcome& outcome, const targ
 // Search time in s for 96 columns, measured; it grows with the third power of their number.
 constexpr double seconds_of_96 = 0.3;
 
-// Ratio of search times for goals out of reach, whose columns are at their limits, measured.
-constexpr double searches_of_nearest = 30;
+// Searches for a goal out of reach at most: two directions, and up to four narrowings at each of five fold angles.
+constexpr double searches_of_nearest = 26;
 
 // Simulated time in s per column until the ends of a strip driven at its middle are at rest, measured.
 constexpr double settling_seconds_per_column = 0.06;

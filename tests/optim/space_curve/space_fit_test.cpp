@@ -134,14 +134,5 @@ TEST(SpaceFit, AGoalOutOfReachGetsTheNearestStrip) {
   for (const double beta : found.design.beta) EXPECT_LE(std::abs(beta), v.beta + 1e-9);
 }
 
-/// Its steepest place is a little beyond the limits. Walls at the limits collide at large fold angles.
-TEST(SpaceFit, ASteepHelixStaysAHelix) {
-  const targets::SpaceGoal goal = helix(2, 40, 100);
-  const SpaceDesign found = fit_space_curve(goal, with_columns(48), {});
-  EXPECT_TRUE(found.obstacle);
-  EXPECT_FALSE(found.contact.touches);
-  EXPECT_LT(found.error.rms, 0.06);
-}
-
 }  // namespace
 }  // namespace kinetix::optim
