@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-app::Run run_of(const std::string& text, const targets::DocumentChanges& changes = {}) {
+app::Run remedy_run(const std::string& text, const targets::DocumentChanges& changes = {}) {
   const Scratch scratch;
   app::RunOptions options;
   options.verify = false;
@@ -24,16 +24,16 @@ app::Run run_of(const std::string& text, const targets::DocumentChanges& changes
 TEST(Remedy, OfACurveBeyondItsTiltsMeetsTheGoal) {
   const std::string text =
       std::string(bow) + "variables: {beta: {range_deg: [-5, 5]}}\nsolver: {starts: 2}\n";
-  const app::Run missed = run_of(text);
+  const app::Run missed = remedy_run(text);
   ASSERT_FALSE(missed.met());
   EXPECT_THAT(missed.violations.front(),
               HasSubstr("With `variables.beta.range_deg: [-60, 60]` the goal is met"));
-  EXPECT_TRUE(run_of(text, {{"variables.tilt.range_deg", "[-60, 60]"}}).met());
+  EXPECT_TRUE(remedy_run(text, {{"variables.tilt.range_deg", "[-60, 60]"}}).met());
 }
 
 /// Columns can neither climb so much nor so steeply with any fold angle.
 TEST(Remedy, OfACurveThatClimbsTooMuchIsNoRefusal) {
-  const app::Run missed = run_of(
+  const app::Run missed = remedy_run(
       "kinetix: 1\ntarget: {kind: space_curve, points: [[0, 0, 0], [30, 0, 40], [60, 0, 0], [60, 40, 0], "
       "[60, 40, "
       "40], [100, 80, 40]]}\nstructure: {cells: [24, 1]}\n");
