@@ -211,14 +211,17 @@ class Builder {
     for (int a = 0; a < static_cast<int>(faces.size()); ++a)
       for (int b = a + 1; b < static_cast<int>(faces.size()); ++b) {
         if (!boxes_[a].intersects(boxes_[b])) continue;
-        std::vector<PinFit> pins;
+        std::vector<PinFit> pins, cones;
         std::vector<BallFit> balls;
         for (const auto& [inner, outer] : {std::pair(a, b), std::pair(b, a)}) {
           add_fits(faces[inner].cylinders, faces[outer].cylinders, pin_fit, pins);
-          add_fits(faces[inner].cones, faces[outer].cones, cone_fit, pins);
+          add_fits(faces[inner].cones, faces[outer].cones, cone_fit, cones);
           add_fits(faces[inner].balls, faces[outer].balls, ball_fit, balls);
         }
-        add_pins_and_balls(a, b, std::move(pins), balls);
+        pins = on_separate_axes(pins);
+        add_new_axes(on_separate_axes(cones), pins);
+        if (balls.size() == 2) add_new_axes({pin_of_balls(balls[0], balls[1])}, pins);
+        add_pins_and_balls(a, b, pins, balls);
       }
   }
 
@@ -230,11 +233,22 @@ class Builder {
         if (const auto fit = fit_of(one, other)) out.push_back(*fit);
   }
 
-  /// Adds the hinges of two bodies. Two balls are a pin about the line through their centers. A ball on the axis of a
-  /// pin adds nothing, and one that is not retained by its socket holds nothing.
-  void add_pins_and_balls(int a, int b, std::vector<PinFit> pins, const std::vector<BallFit>& balls) {
-    if (balls.size() == 2) pins.push_back(pin_of_balls(balls[0], balls[1]));
-    pins = on_separate_axes(pins);
+  static bool are_coaxial(const PinFit& a, const PinFit& b) {
+    const Vector3d between = b.point - a.point;
+    return std::abs(a.axis.dot(b.axis)) > 0.9998 &&
+           (between - between.dot(a.axis) * a.axis).norm() < a.rod_mm / 4;
+  }
+
+  /// Adds the pins whose axes have none yet: a rod with conical shoulders is one bearing.
+  static void add_new_axes(const std::vector<PinFit>& more, std::vector<PinFit>& pins) {
+    for (const PinFit& fit : more)
+      if (std::none_of(pins.begin(), pins.end(), [&](const PinFit& o) { return are_coaxial(o, fit); }))
+        pins.push_back(fit);
+  }
+
+  /// Adds the hinges of two bodies. A ball on the axis of a pin adds nothing, and one that is not retained by its socket
+  /// holds nothing.
+  void add_pins_and_balls(int a, int b, const std::vector<PinFit>& pins, const std::vector<BallFit>& balls) {
     for (const PinFit& pin : pins) add_pin(a, b, pin);
     for (const BallFit& ball : balls) {
       const bool is_on_pin = std::any_of(pins.begin(), pins.end(), [&](const PinFit& pin) {
@@ -248,11 +262,8 @@ class Builder {
   static std::vector<PinFit> on_separate_axes(const std::vector<PinFit>& fits) {
     std::vector<PinFit> out;
     for (const PinFit& fit : fits) {
-      const auto same = std::find_if(out.begin(), out.end(), [&](const PinFit& o) {
-        const Vector3d between = fit.point - o.point;
-        return std::abs(fit.axis.dot(o.axis)) > 0.9998 &&
-               (between - between.dot(o.axis) * o.axis).norm() < o.rod_mm / 4;
-      });
+      const auto same =
+          std::find_if(out.begin(), out.end(), [&](const PinFit& o) { return are_coaxial(o, fit); });
       if (same == out.end()) {
         out.push_back(fit);
         continue;
