@@ -5,7 +5,6 @@
 #include <set>
 
 #include "model/assembly/bearing_faces.hpp"
-#include "model/assembly/cylinder_faces.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
 #include "model/base/algorithms.hpp"
@@ -197,84 +196,16 @@ class Builder {
     return nullptr;
   }
 
-  /// Round faces of a body.
-  struct Bearings {
-    std::vector<CylinderFace> cylinders;
-    std::vector<ConeFace> cones;
-    std::vector<BallFace> balls;
-  };
-
   void add_pins() {
     std::vector<Bearings> faces;
-    for (const AssemblyBody& body : out_.bodies)
-      faces.push_back({cylinder_faces(body.solid), cone_faces(body.solid), ball_faces(body.solid)});
+    for (const AssemblyBody& body : out_.bodies) faces.push_back(bearings_of(body.solid));
     for (int a = 0; a < static_cast<int>(faces.size()); ++a)
       for (int b = a + 1; b < static_cast<int>(faces.size()); ++b) {
         if (!boxes_[a].intersects(boxes_[b])) continue;
-        std::vector<PinFit> pins, cones;
-        std::vector<BallFit> balls;
-        for (const auto& [inner, outer] : {std::pair(a, b), std::pair(b, a)}) {
-          add_fits(faces[inner].cylinders, faces[outer].cylinders, pin_fit, pins);
-          add_fits(faces[inner].cones, faces[outer].cones, cone_fit, cones);
-          add_fits(faces[inner].balls, faces[outer].balls, ball_fit, balls);
-        }
-        pins = on_separate_axes(pins);
-        add_new_axes(on_separate_axes(cones), pins);
-        if (balls.size() == 2) add_new_axes({pin_of_balls(balls[0], balls[1])}, pins);
-        add_pins_and_balls(a, b, pins, balls);
+        const BearingFits fits = fits_between(faces[a], faces[b]);
+        for (const PinFit& pin : fits.pins) add_pin(a, b, pin);
+        for (const BallFit& ball : fits.balls) add_ball(a, b, ball);
       }
-  }
-
-  template <class Face, class Fit>
-  static void add_fits(const std::vector<Face>& inner, const std::vector<Face>& outer,
-                       std::optional<Fit> (*fit_of)(const Face&, const Face&), std::vector<Fit>& out) {
-    for (const Face& one : inner)
-      for (const Face& other : outer)
-        if (const auto fit = fit_of(one, other)) out.push_back(*fit);
-  }
-
-  static bool are_coaxial(const PinFit& a, const PinFit& b) {
-    const Vector3d between = b.point - a.point;
-    return std::abs(a.axis.dot(b.axis)) > 0.9998 &&
-           (between - between.dot(a.axis) * a.axis).norm() < a.rod_mm / 4;
-  }
-
-  /// Adds the pins whose axes have none yet: a rod with conical shoulders is one bearing.
-  static void add_new_axes(const std::vector<PinFit>& more, std::vector<PinFit>& pins) {
-    for (const PinFit& fit : more)
-      if (std::none_of(pins.begin(), pins.end(), [&](const PinFit& o) { return are_coaxial(o, fit); }))
-        pins.push_back(fit);
-  }
-
-  /// Adds the hinges of two bodies. A ball on the axis of a pin adds nothing, and one that is not retained by its socket
-  /// holds nothing.
-  void add_pins_and_balls(int a, int b, const std::vector<PinFit>& pins, const std::vector<BallFit>& balls) {
-    for (const PinFit& pin : pins) add_pin(a, b, pin);
-    for (const BallFit& ball : balls) {
-      const bool is_on_pin = std::any_of(pins.begin(), pins.end(), [&](const PinFit& pin) {
-        return pin.axis.cross(ball.center - pin.point).norm() < ball.ball_mm / 4;
-      });
-      if (ball.is_retained && !is_on_pin) add_ball(a, b, ball);
-    }
-  }
-
-  /// Merges all bearings on one axis into one, in the middle of the outermost ones.
-  static std::vector<PinFit> on_separate_axes(const std::vector<PinFit>& fits) {
-    std::vector<PinFit> out;
-    for (const PinFit& fit : fits) {
-      const auto same =
-          std::find_if(out.begin(), out.end(), [&](const PinFit& o) { return are_coaxial(o, fit); });
-      if (same == out.end()) {
-        out.push_back(fit);
-        continue;
-      }
-      const double shift = (fit.point - same->point).dot(same->axis);
-      const double from = std::min(-same->length_mm / 2, shift - fit.length_mm / 2);
-      const double to = std::max(same->length_mm / 2, shift + fit.length_mm / 2);
-      same->point += (from + to) / 2 * same->axis;
-      same->length_mm = to - from;
-    }
-    return out;
   }
 
   void add_pin(int a, int b, const PinFit& fit) {

@@ -1,6 +1,7 @@
 #include "model/assembly/bearing_faces.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -193,6 +194,74 @@ PinFit pin_of_balls(const BallFit& first, const BallFit& second) {
   return {(first.center + second.center) / 2, between.normalized(), std::min(first.ball_mm, second.ball_mm),
           std::min(first.clearance_mm, second.clearance_mm),
           between.norm() + (first.ball_mm + second.ball_mm) / 2};
+}
+
+namespace {
+
+bool are_coaxial(const PinFit& a, const PinFit& b) {
+  const Vector3d between = b.point - a.point;
+  return std::abs(a.axis.dot(b.axis)) > 0.9998 &&
+         (between - between.dot(a.axis) * a.axis).norm() < a.rod_mm / 4;
+}
+
+/// Merges all bearings on one axis into one, in the middle of the outermost ones.
+std::vector<PinFit> on_separate_axes(const std::vector<PinFit>& fits) {
+  std::vector<PinFit> out;
+  for (const PinFit& fit : fits) {
+    const auto same =
+        std::find_if(out.begin(), out.end(), [&](const PinFit& o) { return are_coaxial(o, fit); });
+    if (same == out.end()) {
+      out.push_back(fit);
+      continue;
+    }
+    const double shift = (fit.point - same->point).dot(same->axis);
+    const double from = std::min(-same->length_mm / 2, shift - fit.length_mm / 2);
+    const double to = std::max(same->length_mm / 2, shift + fit.length_mm / 2);
+    same->point += (from + to) / 2 * same->axis;
+    same->length_mm = to - from;
+  }
+  return out;
+}
+
+/// Adds the pins whose axes have none yet.
+void add_new_axes(const std::vector<PinFit>& more, std::vector<PinFit>& pins) {
+  for (const PinFit& fit : more)
+    if (std::none_of(pins.begin(), pins.end(), [&](const PinFit& o) { return are_coaxial(o, fit); }))
+      pins.push_back(fit);
+}
+
+template <class Face, class Fit>
+void add_fits(const std::vector<Face>& inner, const std::vector<Face>& outer,
+              std::optional<Fit> (*fit_of)(const Face&, const Face&), std::vector<Fit>& out) {
+  for (const Face& one : inner)
+    for (const Face& other : outer)
+      if (const auto fit = fit_of(one, other)) out.push_back(*fit);
+}
+
+}  // namespace
+
+Bearings bearings_of(const Polyhedron& solid) {
+  return {cylinder_faces(solid), cone_faces(solid), ball_faces(solid)};
+}
+
+BearingFits fits_between(const Bearings& first, const Bearings& second) {
+  std::vector<PinFit> rods, cones;
+  std::vector<BallFit> balls;
+  for (const auto& [inner, outer] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+    add_fits(inner->cylinders, outer->cylinders, pin_fit, rods);
+    add_fits(inner->cones, outer->cones, cone_fit, cones);
+    add_fits(inner->balls, outer->balls, ball_fit, balls);
+  }
+  BearingFits out{on_separate_axes(rods), {}};
+  add_new_axes(on_separate_axes(cones), out.pins);
+  if (balls.size() == 2) add_new_axes({pin_of_balls(balls[0], balls[1])}, out.pins);
+  for (const BallFit& ball : balls) {
+    const bool is_on_pin = std::any_of(out.pins.begin(), out.pins.end(), [&](const PinFit& pin) {
+      return pin.axis.cross(ball.center - pin.point).norm() < ball.ball_mm / 4;
+    });
+    if (ball.is_retained && !is_on_pin) out.balls.push_back(ball);
+  }
+  return out;
 }
 
 }  // namespace kinetix::model

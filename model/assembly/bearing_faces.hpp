@@ -49,4 +49,21 @@ std::optional<BallFit> ball_fit(const BallFace& ball, const BallFace& socket);
 /// Returns the pin that two balls in sockets make between two bodies: they turn about the line through the centers.
 PinFit pin_of_balls(const BallFit& first, const BallFit& second);
 
+/// Round faces of a body.
+struct Bearings {
+  std::vector<CylinderFace> cylinders;
+  std::vector<ConeFace> cones;
+  std::vector<BallFace> balls;
+};
+Bearings bearings_of(const Polyhedron& solid);
+
+/// Hinges of two bodies by their shape.
+struct BearingFits {
+  std::vector<PinFit> pins;    ///< on separate axes
+  std::vector<BallFit> balls;  ///< retained, and on none of these axes
+};
+/// Finds the pins and balls of two bodies. All bearings on one axis are one pin, and a rod with conical shoulders is as
+/// long as the rod. Two balls are a pin. A ball that is not retained by its socket holds nothing.
+BearingFits fits_between(const Bearings& first, const Bearings& second);
+
 }  // namespace kinetix::model

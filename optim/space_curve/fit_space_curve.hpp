@@ -21,6 +21,10 @@ struct Across {
 /// @param stretch mm over which slopes are averaged, > 0: features shorter than two columns do not count
 Across min_slope(const targets::SpaceGoal& goal, double stretch);
 
+/// Returns the direction with the smallest mean square slope. A goal with one steep place is nearest to a strip along
+/// it. @param stretch as of min_slope
+Across mean_slope(const targets::SpaceGoal& goal, double stretch);
+
 /// Returns the frame of a strip with its width along `direction`. Unit columns: along the strip's plane,
 /// across, up.
 Eigen::Matrix3d frame_across(const targets::SpaceGoal& goal, const Eigen::Vector3d& direction);
