@@ -107,7 +107,7 @@ Across mean_slope(const targets::SpaceGoal& goal, double stretch) {
   const Stretches all = stretches_of(goal.line(), stretch);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Vector3d& along : all.along) sum += along * along.transpose();
-  return across_along(all, model::principal_axes(sum).axes.col(0));
+  return across_along(all, principal_axes(sum).axes.col(0));
 }
 
 Across min_slope(const targets::SpaceGoal& goal, double stretch) {
