@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "app/goals/curve/curve_search.hpp"
-#include "app/goals/curve/strip_remedies.hpp"
+#include "app/goals/strip_remedies.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"

@@ -5,7 +5,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
-#include "app/goals/curve/strip_remedies.hpp"
+#include "app/goals/strip_remedies.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/goal.hpp"

@@ -1,4 +1,4 @@
-#include "app/goals/curve/strip_remedies.hpp"
+#include "app/goals/strip_remedies.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
