@@ -84,9 +84,9 @@ AssemblyMobility examine(const model::Assembly& assembly) {
   const model::FirstMotion first = first_motion(linkage);
   if ((out.at_rest && *out.at_rest <= 0) || first.fastest < 0 || first.strain > max_strain) {
     if (out.at_rest && *out.at_rest <= 0) out.broken = first_rigid_hinge(linkage, smallest);
-    out.why = "rigid: no motion at rest keeps all hinges closed";
+    out.why = "rigid: every motion at rest would open a hinge";
     if (out.broken >= 0)
-      out.why += fmt::format("; in their order `{}` is the first with which nothing moves",
+      out.why += fmt::format("; in the order of the hinges, `{}` is the first that blocks the motion",
                              assembly.hinges[out.broken].name);
     return out;
   }

@@ -64,7 +64,7 @@ class Builder {
     order_axes();
     out_.edge_mm = hinge_distance(out_);
     if (!(out_.edge_mm > 0))
-      throw InvalidInput("bodies that share a hinge have the same center. Give `cell_mm`");
+      throw InvalidInput("bodies that share a hinge have the same centre. Give `cell_mm`");
     return std::move(out_);
   }
 

@@ -164,9 +164,11 @@ std::vector<std::string> curve_violations(const CurveFile& file, const optim::Fr
   const std::vector<std::string> ties = ties_of(file);
   if (why.empty())
     why.push_back(fmt::format(
-        "no start came closer than {:.3g} of the diagonal, although every column by itself can "
+        "no start came closer than {:.3g} of the diagonal, although each single column can "
         "bend enough{}",
-        rms, ties.empty() ? "" : fmt::format(": `{}` ties tilts to each other", fmt::join(ties, "` and `"))));
+        rms,
+        ties.empty() ? ""
+                     : fmt::format(": `{}` makes tilts depend on each other", fmt::join(ties, "` and `"))));
   return why;
 }
 
