@@ -167,10 +167,9 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
 }
 
 void add_import(CLI::App& app, CommandOptions& options, ImportRequest& request) {
-  app.add_option(
-         "MODEL", request.model,
-         "a 3MF, STEP, GLB, OBJ, OFF, PLY or STL file with hard and soft parts. Tiles: a folder with "
-         "vertices.txt and constraints.txt, or an OBJ file")
+  app.add_option("MODEL", request.model,
+                 "a 3MF, STEP, GLB, OBJ, OFF, PLY or STL file with hard and soft parts. Tiles: a folder with "
+                 "vertices.txt and constraints.txt, or an OBJ file")
       ->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for design.yaml and its part files (default: results/NAME)");
