@@ -52,8 +52,8 @@ TriangleMesh near_crown(const TriangleMesh& mesh, const Eigen::Vector3d& up);
 /// a depth of 0.4 of that length, which lies above nose and ears.
 double head_length(const TriangleMesh& mesh, const Eigen::Vector3d& up);
 
-/// Finds the direction that points up in a mesh of a head, in which sections below the top fit those of a usual
-/// head clearly better than along the other five axes. It is +z if the shape does not show it.
+/// Finds the direction that points up in a mesh of a head: the axis along which its sections below the top fit a usual
+/// head best. Another axis than +z must fit clearly better than the other five.
 /// @param mesh of a head, in any unit   @return unit vector along an axis
 Eigen::Vector3d likely_up(const TriangleMesh& mesh);
 
