@@ -132,7 +132,7 @@ RunOptions run_options(const CommandOptions& options, Console& console, const st
           .fidelity = options.fidelity,
           .printable = answer_of_export,
           .printable_size = find_printable_size,
-          .suggests_cells = true};
+          .seeks_remedy = true};
 }
 
 using RunFunction = std::function<Run(const RunOptions&)>;

@@ -41,7 +41,8 @@ constexpr CommandExamples all_examples[] = {
 
 constexpr const char* exit_codes = R"(
 exit codes:
-  0 done   1 internal error   2 bad input   3 target missed or not reached
+  0 done   1 internal error   2 bad input
+  3 goal missed, not printable, or not reached by its drive
   4 simulation disagrees or failed   130 Ctrl-C before there was a result
 
 documentation: share/doc/kinetix/html/index.html,

@@ -42,7 +42,7 @@ const targets::KeyTable& body_keys() {
        "name of the body in hinges and results"},
       {"file", value::text(std::string("path of a mesh: ") + targets::mesh_formats), targets::needed,
        "surface of the body at rest, mm, as one closed shell. The path is relative to this file"},
-      {"position_mm", vector_mm(), targets::otherwise("the center of its volume"),
+      {"position_mm", vector_mm(), targets::otherwise("the centre of its volume"),
        "reference point of the body in results"},
   });
   return keys;

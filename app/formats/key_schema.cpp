@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
@@ -247,6 +248,19 @@ std::string unmarked(const std::string& markdown) {
   return text;
 }
 
+/// Rounds long decimals of a default to 4 digits: angles that come from radians have more.
+std::string round_decimals(const std::string& text) {
+  static const std::regex decimals("[0-9]+[.][0-9]{6,}");
+  std::string rounded;
+  std::size_t done = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), decimals), end; at != end; ++at) {
+    const auto start = static_cast<std::size_t>(at->position());
+    rounded += text.substr(done, start - done) + fmt::format("{:.4g}", std::stod(at->str()));
+    done = start + static_cast<std::size_t>(at->length());
+  }
+  return rounded + text.substr(done);
+}
+
 }  // namespace
 
 std::vector<FileSchema> file_schemas() {
@@ -288,7 +302,7 @@ std::string default_text(const targets::Key& key, const targets::Alternatives& a
     return "needed: one of " + listed(alternatives.names, ", ");
   std::string text = key.fallback.text;
   if (key.fallback.kind == targets::Default::Kind::needed) text = "needed";
-  if (key.fallback.kind == targets::Default::Kind::literal) text = in_ticks(text);
+  if (key.fallback.kind == targets::Default::Kind::literal) text = in_ticks(round_decimals(text));
   if (key.with.all()) return text;
   std::vector<std::string> with = key.with.names;
   if (!alternatives.chosen_by.empty())

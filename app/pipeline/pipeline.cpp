@@ -393,11 +393,8 @@ Run run_goal(const Goal& goal, const RunOptions& options) {
   const double seconds = watch.lap();
   Run run = run_found(std::move(searched.found), searched.goal.get(), options);
   run.timings.optimise = seconds;
-  if (run.violations.empty() || !options.suggests_cells || run.stopped) return run;
-  watch.lap();
-  const std::string keys = searched.goal->find_sufficient_keys(run, options);
-  run.timings.optimise += watch.lap();
-  if (!keys.empty()) run.violations.front() += fmt::format("; with `{}` the goal is met", keys);
+  if (const std::string remedy = find_remedy(goal, run, options); !remedy.empty())
+    run.violations.front() += ". " + remedy;
   return run;
 }
 

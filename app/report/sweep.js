@@ -55,10 +55,10 @@ function factorTable(data) {
     shown.length ?
         html(
             "p", {class: "note"},
-            "Last columns: share of the response's variance that goes with the factors of the row, with its 95 % interval where there is one. " +
+            "Last columns: share of the response's variance that the factors of the row explain, with its 95 % interval if there is one. " +
                 (data.method === "factorial" || data.method === "saltelli" ?
                      "For several factors together, the sum of their separate effects." :
-                     "Of several factors together, what is in proportion to each; of one, any effect.")) :
+                     "For several factors together, only linear effects count; for one, any effect.")) :
         null
   ];
 }

@@ -182,10 +182,17 @@ std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
   return text + ". Bend the sheet a little in its fold direction before you press it";
 }
 
+/// Returns the trade name of a material for a sentence. Other names are as in files.
+std::string trade_name(const std::string& material) {
+  if (material == "tango") return "Tango";
+  if (material == "tpu95a") return "TPU 95A";
+  return material == "pp" ? "polypropylene" : material;
+}
+
 std::string describe_soft_hinges(const SoftHinges& soft) {
   const model::ManufacturedHinge& block = soft.made;
   return fmt::format("{}hinges: {} {} {:.1f} mm long, peak strain {:.2g} (limit {:g})",
-                     soft.is_assumed ? "assumed " : "", block.material.name,
+                     soft.is_assumed ? "assumed " : "", trade_name(block.material.name),
                      block.kind == model::HingeKind::film ? "living hinge" : to_string(block.kind),
                      block.gap_mm, soft.strain, block.material.strain_max);
 }

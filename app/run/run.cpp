@@ -114,7 +114,7 @@ std::string describe(model::EquilibriumPath::Stop stop) {
 }
 
 std::string describe_missed_drive(const Equilibrium& equilibrium, double theta) {
-  if (equilibrium.reached()) return "other side: " + describe_other_side(equilibrium, theta);
+  if (equilibrium.reached()) return "opposite side: " + describe_other_side(equilibrium, theta);
   return describe(equilibrium.path.stop) + ": " + equilibrium.path.why;
 }
 

@@ -150,7 +150,7 @@ void SweepProgress::show(std::int64_t count) {
   const std::string left = left_.text(seconds_);
   console_.stage(
       "sweep", done,
-      fmt::format("{} of {}, {:.3g} a second{}{}", count, total_, rate, left.empty() ? "" : ", ", left));
+      fmt::format("{} of {}, {:.3g} per second{}{}", count, total_, rate, left.empty() ? "" : ", ", left));
 }
 
 using Json = nlohmann::ordered_json;

@@ -81,7 +81,7 @@ def chart(page, left, top, width, height):
     page.dots([at(45, 90)], 4.2, CLASS_B, "#ffffff")
     x, y = at(45, 90)
     page.text((x + 7, y + 5), "**54.7°**", size=13, fill=CLASS_B)
-    page.text((left + width / 2, top + height + 44), "fold parameter *θ*", "middle", fill=MUTED)
+    page.text((left + width / 2, top + height + 44), "fold angle *θ*", "middle", fill=MUTED)
     page.text((left - 34, top - 14), "fold *ρ*", fill=MUTED)
 
 

@@ -75,7 +75,7 @@ double energy_unit(const Elasticity& e, double edge_mm) { return e.k_point * edg
 void Stiffness::check_count(std::size_t hinges) const {
   if (each.empty() || each.size() == hinges) return;
   throw InvalidInput("each has " + std::to_string(each.size()) + " entries, must be empty or have " +
-                     std::to_string(hinges) + ", one a hinge");
+                     std::to_string(hinges) + ", one per hinge");
 }
 
 namespace {

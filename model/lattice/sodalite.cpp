@@ -382,8 +382,10 @@ ExactMotion exact_motion(const SodaliteStructure& structure) {
     check_between_plates(drive, linkage, at(probe_thetas[1]));
     return theta_of(drive, linkage, at);
   };
-  return {at, "sodalite",
-          "sodalite: rotors turn by 2 theta about the axes of space, gussets keep their direction", theta};
+  return {
+      at, "sodalite",
+      "sodalite: rotors turn by twice the fold angle about the axes x, y and z, gussets keep their direction",
+      theta};
 }
 
 LinkageDrive plate_drive(const SodaliteStructure& structure, Axis axis, double compression, int branch) {

@@ -30,7 +30,7 @@ const std::vector<Material>& materials() {
        "polyamide 12 of powder: Materials Technical Fact Sheet of HP 3D High Reusability PA 12, 1800 MPa, "
        "nu "
        "0.43 to 0.47, "
-       "yield at 0.1; E and nu are taken a little lower; the strain is an estimate, under half of that at "
+       "yield at 0.1; E and nu are set a little lower; the strain is an estimate, under half of that at "
        "yield"},
       {"acrylic", 2900, 0.37, 0.02,
        "cast sheet of PMMA: Lange's Handbook of Chemistry, 15th edition, table 10.2, 380 000 to 450 000 psi, "

@@ -242,7 +242,7 @@ void refine_display(const model::Lattice& panel, const std::vector<double>& leve
   design.evaluations += search.evaluations();
   design.refined = best > 0;
   design.why +=
-      (design.refined ? "; then strained on purpose: " : "; strained on purpose it came out no clearer: ") +
+      (design.refined ? "; then strained on purpose: " : "; strain on purpose made it no clearer: ") +
       sharpened.why;
   if (!design.refined) return;
   design.view = std::move(views[best]);

@@ -320,7 +320,8 @@ class SolidSearch {
     fold_at(options_.theta.upper);
     if (!(least < options_.theta.upper))
       return fmt::format(
-          "with {} a crease tilts of {:.1f} deg would be needed even at a fold angle of {:.1f} deg; at most "
+          "with {} per crease, tilts of {:.1f} deg would be needed even at a fold angle of {:.1f} deg; at "
+          "most "
           "{:.1f} deg "
           "is allowed",
           describe(columns), to_degrees(std::atan(steepest / std::sin(options_.theta.upper))),
@@ -359,7 +360,8 @@ class SolidSearch {
     }
     if (wanted != 0) fold_at(wanted);
     return fmt::format(
-        "with {} a crease walls run into each other at a fold angle of {:.1f} deg; the fold needs {:.1f} deg",
+        "with {} per crease, walls run into each other at a fold angle of {:.1f} deg; the fold needs {:.1f} "
+        "deg",
         describe(columns), to_degrees(farthest), to_degrees(wanted));
   }
 
@@ -395,8 +397,8 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
   for (int k = first; k <= last && !design.folds; ++k) {
     if (options.stop.stop_requested() && k > first) break;
     progress("search", static_cast<double>(k - first) / (last - first + 1),
-             fmt::format("{} of {} columns a crease, best without contact to {:.0f} % of its motion", k, last,
-                         100 * search.best_share()));
+             fmt::format("{} of {} columns per crease, best without contact to {:.0f} % of its motion", k,
+                         last, 100 * search.best_share()));
     const std::string why = search.try_columns(k);
     design.attempts.push_back({0, {k}, why});
     design.folds = why.empty();

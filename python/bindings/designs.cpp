@@ -34,7 +34,7 @@ void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name
                 const std::optional<Numbers>& numbers, double scale = 1) {
   if (!numbers) return;
   if (numbers->ndim() != 1 || numbers->shape(0) != sheet.hinges())
-    throw InvalidInput(name + " must be one number a hinge, " + std::to_string(sheet.hinges()) + " in all");
+    throw InvalidInput(name + " must be one number per hinge, " + std::to_string(sheet.hinges()) + " in all");
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).*field = numbers->data()[h] / scale;
 }
 

@@ -37,7 +37,7 @@ void reject(const char* name, py::ssize_t k, py::ssize_t c, double value, const 
 
 void check_shapes(const Strips& strips) {
   if (strips.beta.ndim() != 2 || strips.columns() < 1)
-    throw InvalidInput("beta must have one row a strip and one column a column of cells, at least 1");
+    throw InvalidInput("beta must have one row per strip and one column per column of cells, at least 1");
   if (strips.theta.ndim() != 1 || strips.theta.shape(0) != strips.count())
     throw InvalidInput(fmt::format("theta must be one angle a strip, {} in all", strips.count()));
   if (strips.t && (strips.t->ndim() != 2 || strips.t->shape(0) != strips.count() ||
@@ -185,7 +185,7 @@ py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double 
   if (by_poses.ndim() != 3 || by_poses.shape(0) != strips.count() || by_poses.shape(1) != bodies ||
       by_poses.shape(2) != 6)
     throw InvalidInput(
-        fmt::format("by_poses must be of shape ({}, {}, 6): a row a body", strips.count(), bodies));
+        fmt::format("by_poses must be of shape ({}, {}, 6): one row per body", strips.count(), bodies));
   py::array gradients = unwritten({strips.count(), parameters});
   auto* const out = static_cast<double*>(gradients.mutable_data());
   const std::int64_t last = strips.count() - 1, pairs = (strips.count() + Lanes::count - 1) / Lanes::count;

@@ -1,4 +1,4 @@
-"""kinetix: flat sheets that take a shape when you squeeze them, designed backwards.
+"""kinetix: inverse design of flat sheets that fold into a target shape.
 
 Lengths in mm, angles in rad, forces in N; files and dicts have degrees, in keys that end in ``_deg``. python.md has
 examples.

@@ -57,7 +57,7 @@ class Design:
 
     @property
     def theta(self) -> float:
-        """Fold parameter of the state to show, rad."""
+        """Fold angle of the state to show, rad."""
         return self._core.theta
 
     @property
@@ -82,7 +82,7 @@ class Design:
 
     @property
     def is_exact(self) -> bool:
-        """Whether its motion has a closed form."""
+        """Whether it has an analytic motion."""
         return self._core.is_exact
 
     @property
@@ -151,29 +151,30 @@ class Design:
         return Design._of(self._core.with_hinges(t, alpha, beta, offset_mm))
 
     def with_theta(self, theta: float) -> "Design":
-        """Returns the sheet, to be shown at another theta, rad, whatever drove it."""
+        """Returns the sheet at another fold angle theta, rad, instead of that of its drive."""
         return Design._of(self._core.with_theta(theta), self._file)
 
     def poses(self, theta: Optional[float] = None) -> NDArray[np.float64]:
-        """(N, 7): the closed form's state at theta, rad; by default where the design's own drive takes it.
+        """(N, 7): the state of the analytic motion at theta, rad; by default where the design's own drive takes it.
 
         x y z in mm, then the unit quaternion w x y z.
 
-        :raises InvalidInput: if the sheet has no closed form
+        :raises InvalidInput: if the sheet has no analytic motion
         """
         return self._core.poses(theta)
 
     def fold(self, theta: ArrayLike, threads: int = 0) -> NDArray[np.float64]:
-        """(len(theta), N, 7): one state of the closed form for each theta, rad, on all cores.
+        """(len(theta), N, 7): one state of the analytic motion for each theta, rad, on all cores.
 
         For many strips with other tilts each, see :func:`kinetix.fold_strips`.
 
-        :param threads: 0 = all cores; the answer does not depend on it
+        :param threads: 0 = all cores; the result does not depend on it
         """
         return self._core.fold(np.asarray(theta, dtype=np.float64), threads)
 
     def derivatives(self, theta: Optional[float] = None) -> Tuple[List[str], NDArray[np.float64]]:
-        """Computes the derivatives of the closed form's poses by all parameters of a sheet of family F1, F2 or F3.
+        """Computes the derivatives of the poses of the analytic motion by all parameters of a sheet of family F1,
+        F2 or F3.
 
         ``beta[c]`` is the tilt of column c in row 0 (rad; row j has (-1)^j of it). ``t[c]`` and ``s[r]`` are the places
         of the hinges of a column and a row, as a fraction from the body whose i + j is even. ``gamma`` and ``theta``

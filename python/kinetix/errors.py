@@ -17,9 +17,9 @@ class InvalidInput(ValueError):
     file: str
     """Path as the caller gave it; empty if there is none."""
     line: int
-    """From 1; 0 where it is not known."""
+    """From 1; 0 if it is not known."""
     column: int
-    """From 1; 0 where it is not known."""
+    """From 1; 0 if it is not known."""
     key: str
     """Dotted path, such as ``variables.beta.range_deg``; empty outside a document."""
 

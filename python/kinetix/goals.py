@@ -1,4 +1,4 @@
-"""Goals of one's own: a function of a state that measures its distance from the desired one."""
+"""Custom goals: a function of a state that measures its distance from the desired one."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from .documents import yaml_text
 
 Poses = NDArray[np.float64]
 Error = Callable[[Poses], ArrayLike]
-"""Takes poses (N, 7); gives a number or m of them, whose sum of squares the search makes least."""
+"""Takes poses (N, 7) and returns a number or m numbers, whose sum of squares the search minimises."""
 Gradient = Callable[[Poses], ArrayLike]
-"""Takes the same; gives (m, N, 6): each residual by the shift (mm) and the turn (rad) of each body."""
+"""Takes the same poses and returns (m, N, 6): each residual by the shift (mm) and the turn (rad) of each body."""
 
 
 class Goal:
-    """An error of one's own for a strip, which uses the same search as the goals of files.
+    """A custom error for a strip, which uses the same search as the goals of files.
 
-    The search varies the tilts of the columns and theta, from several starts. Then the physics engine folds the strip,
+    The search varies the tilts of the columns and theta, from several starts. Then the simulation folds the strip,
     and the error is evaluated again. Body (i, j) has index i (rows + 1) + j; body 0 does not move from the origin.
 
     :param error: of poses (N, 7): x y z in mm, the unit quaternion w x y z; see :data:`Error`. It should be smooth. It

@@ -19,12 +19,12 @@ class Problem(NamedTuple):
     """An error or a warning about a result."""
 
     level: str
-    """``error``, where a flag of the verdict is false, or ``warning``."""
+    """``error``, if a flag of the verdict is false, or ``warning``."""
     text: str
 
 
 class Verdict(NamedTuple):
-    """The answers of a run, as ``verdict`` of result.json. A flag is None where the run did not ask."""
+    """The verdict of a run, as in result.json. A flag is None if the run did not check it."""
 
     met: Optional[bool]
     """The design meets its goal in the state that counts."""
@@ -56,7 +56,7 @@ class Result:
 
     @property
     def theta(self) -> float:
-        """Fold parameter of the state shown, rad."""
+        """Fold angle of the state shown, rad."""
         return self._core.theta
 
     @property

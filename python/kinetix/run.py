@@ -13,7 +13,7 @@ from .goals import Goal
 from .result import Result
 
 Progress = Callable[[str, Optional[float], str], object]
-"""Hears the stage, the share of it that is done (0 to 1, or None) and words. May be called from any thread."""
+"""Receives the stage, the share of it that is done (0 to 1, or None) and a text. May be called from any thread."""
 
 
 def _target(source: Source, folder: "str | os.PathLike[str]") -> _core.Target:
@@ -25,17 +25,17 @@ def _target(source: Source, folder: "str | os.PathLike[str]") -> _core.Target:
 def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = "", threads: int = 0, seed: int = 0,
              verify: bool = True, prints: int = 0, fidelity: bool = False, time_limit_s: Optional[float] = None,
              progress: Optional[Progress] = None) -> Result:
-    """Searches for the sheet that folds into a goal, and folds it again by the physics engine.
+    """Searches for the sheet that folds into a goal, and folds it again in the simulation.
 
     Ctrl-C, or the time limit, ends the search with the best so far (:attr:`Result.stopped`); a second Ctrl-C raises
     KeyboardInterrupt.
 
-    :param target: the path of a target.yaml, a dict with its keys, or a :class:`Goal` of one's own.
+    :param target: the path of a target.yaml, a dict with its keys, or a custom :class:`Goal`.
     :param folder: from which relative paths in a dict start.
-    :param threads: 0 = all cores; the answer does not depend on it.
-    :param seed: of the random starts; same seed, same answer.
-    :param verify: run the physics engine.
-    :param prints: number of prints with errors that are brought to their equilibrium, to confirm the print tolerance.
+    :param threads: 0 = all cores; the result does not depend on it.
+    :param seed: of the random starts; same seed, same result.
+    :param verify: run the simulation.
+    :param prints: number of prints with random errors that are simulated, to confirm the print tolerance.
     :param fidelity: repeat the simulation with coarser time steps, for the table of accuracy against run time.
     :param time_limit_s: s, after which the search ends; None: no limit.
     :param progress: see :data:`Progress`.
@@ -53,11 +53,11 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
     """Computes a folded state of a design.
 
     :param design: a :class:`Design`, the path of a design.yaml, or a dict with its keys.
-    :param model: ``exact``: the closed form; ``equilibrium``: elastic hinges, from flat to the drive's goal;
+    :param model: ``exact``: the analytic motion; ``equilibrium``: elastic hinges, from flat to the drive's goal;
         ``bullet``: the rigid-body simulation, compared with the model.
     :param theta: rad, instead of the design's own drive.
     :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet
-        that has no closed form.
+        that has no analytic motion.
     :raises KeyboardInterrupt: after Ctrl-C, once an equilibrium path under way has ended
     """
     of = design if isinstance(design, Design) else Design(design, folder)

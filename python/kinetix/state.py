@@ -31,7 +31,7 @@ class State:
 
     @property
     def theta(self) -> float:
-        """Fold parameter, rad."""
+        """Fold angle, rad."""
         return self._core.theta
 
     @property

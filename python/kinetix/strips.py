@@ -18,7 +18,7 @@ def _rows(beta: ArrayLike, theta: ArrayLike) -> Tuple[NDArray[np.float64], NDArr
 
 def fold_strips(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *, t: Optional[ArrayLike] = None,
                 rows: int = 1, out: Optional[NDArray[np.float64]] = None, threads: int = 0) -> NDArray[np.float64]:
-    """Folds B strips of C columns by the closed form, on all cores and without the interpreter's lock.
+    """Folds B strips of C columns by the analytic motion, on all cores and without the interpreter's lock.
 
     The poses are those that the program computes for the same designs, to the last bit.
 
@@ -28,7 +28,7 @@ def fold_strips(beta: ArrayLike, theta: ArrayLike, cell_mm: float = 1.0, *, t: O
     :param t: (B, C): places of the hinges of row 0, from the left; 1/2 (the default) where a column is tilted.
     :param rows: of cells.
     :param out: (B, N, 7): an array to write into, which is returned.
-    :param threads: 0 = all cores; the answer does not depend on it.
+    :param threads: 0 = all cores; the result does not depend on it.
     :return: (B, N, 7) with N = (C + 1) (rows + 1): body (i, j) is at i (rows + 1) + j; x y z in mm, then the unit
         quaternion w x y z.
     :raises InvalidInput: naming the entry, for numbers outside their range

@@ -54,8 +54,10 @@ Title title_of(std::string_view text) {
 }
 
 bool has_numbers_alone(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
   return line.find_first_not_of("+-.,;0123456789eE \t") == std::string_view::npos &&
-         line.find_first_of("0123456789") != std::string_view::npos;
+         line.find_first_of("0123456789") != std::string_view::npos && line[first] != 'e' &&
+         line[first] != 'E';
 }
 
 class TableReader {
@@ -72,12 +74,19 @@ class TableReader {
       else
         read_point();
     }
+    if (!has_started_ && name_.line > 0) refuse_title(name_);
     if (!has_started_ && !has_header_) throw InvalidInput("the file has no points. " + wanted(), {file_});
     check_airfoil();
     return std::move(out_);
   }
 
  private:
+  /// Line of the file, numbered from 1.
+  struct NumberedLine {
+    std::string_view text = {};
+    int line = 0;
+  };
+
   std::string axes_between(const char* between) const {
     std::string text;
     for (const std::string& axis : form_.axes) text += (text.empty() ? "" : between) + axis;
@@ -126,11 +135,18 @@ class TableReader {
       return axis == "x" || axis == "y" || axis == "z";
     });
     if (names_axis) return read_header(fields);
+    if (has_header_ && name_.line == 0) return read_point();
     const bool is_table = separator != ' ' && fields.size() == form_.axes.size();
-    if (has_header_ || is_table)
-      refuse(0,
-             in_ticks(line_) + " is not a point or a header of " + spelled_count() + " columns. " + wanted());
+    const NumberedLine title{line_, number_};
+    if (has_header_ || is_table) refuse_title(title);
     has_header_ = true;
+    name_ = title;
+  }
+
+  [[noreturn]] void refuse_title(const NumberedLine& title) const {
+    throw InvalidInput(
+        in_ticks(title.text) + " is not a point or a header of " + spelled_count() + " columns. " + wanted(),
+        {file_, title.line, 1});
   }
 
   void read_header(const std::vector<Field>& fields) {
@@ -216,6 +232,7 @@ class TableReader {
   std::string_view line_;
   int number_ = 0;
   bool has_header_ = false, has_started_ = false;
+  NumberedLine name_;
   char separator_ = ',';
   FilePoints out_;
 };

@@ -87,7 +87,7 @@ const KeyTable& display_target_keys() {
            "levels of the image: 2 (letter and rest), or grey", "image"},
           {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",
            "image"},
-          {"rows", value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
+          {"rows", value::list(value::text("0 or 1 per cell"), "rows such as `[\"0110\", \"1001\"]`"),
            no_default,
            "picture to show, cell by cell: 1 is letter, top row first. If `structure.cells` is a multiple of "
            "the size, each of its cells becomes several"},
@@ -100,10 +100,11 @@ const KeyTable& display_target_keys() {
 }
 
 Key panel_cells_key() {
-  return {"cells", value::list(value::integer(min_panel_side, max_panel_side), "`[columns, rows]`", 2, 2),
-          otherwise("glyph: 10 columns a character and 10 rows; image: 20 columns in its proportions; rows: "
-                    "their size"),
-          "the cells of the panel"};
+  return {
+      "cells", value::list(value::integer(min_panel_side, max_panel_side), "`[columns, rows]`", 2, 2),
+      otherwise("glyph: 10 columns per character and 10 rows; image: 20 columns in its proportions; rows: "
+                "their size"),
+      "the cells of the panel"};
 }
 
 DisplayGoal read_display(const Node& node, const std::optional<Node>& cells, double cell_shape) {

@@ -128,17 +128,17 @@ class DrawingExaminer {
       line.to *= mm;
       if (!(line.from.cwiseAbs().maxCoeff() <= max_drawn_mm) ||
           !(line.to.cwiseAbs().maxCoeff() <= max_drawn_mm)) {
-        refuse(InvalidInput("a line ends more than a kilometre from 0. Check the unit of the drawing",
-                            {file_, line.line, 1}));
+        out_.fault = InvalidInput("a line ends more than a kilometre from 0. Check the unit of the drawing",
+                                  {file_, line.line, 1});
         return false;
       }
     }
     out_.unit = settings_.unit_mm ? "structure.unit" : drawing.unit_source;
     const double largest = mm * size.maxCoeff();
     if (!settings_.unit_mm && !(largest >= usual_least_mm && largest <= usual_most_mm)) {
-      refuse(
+      out_.fault =
           path_.error(fmt::format("the drawing would measure {} ({}), which is unusual. Set structure.unit",
-                                  size_words(mm * size), drawing.unit_source)));
+                                  size_words(mm * size), drawing.unit_source));
       return false;
     }
     out_.unit = fmt::format("1 unit = {:.4g} mm ({}{})", mm, out_.unit,

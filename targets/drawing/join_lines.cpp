@@ -81,13 +81,9 @@ class LineSplitter {
       pieces_.push_back({from, to, static_cast<int>(k)});
     }
     merge_pieces();
-    int round = 0;
-    do {
-      while (cut_at_places())
-        if (++round > max_rounds) fail();
-    } while (cut_at_crossings() && ++round <= max_rounds);
-    if (round > max_rounds) fail();
+    split();
     remove_ends_within_lines();
+    split();  // merged pieces are straight, and may cross others
   }
 
   JoinedLines result() const {
@@ -111,6 +107,15 @@ class LineSplitter {
 
  private:
   using Cuts = std::vector<std::vector<int>>;  ///< places on each piece
+
+  void split() {
+    int round = 0;
+    do {
+      while (cut_at_places())
+        if (++round > max_rounds) fail();
+    } while (cut_at_crossings() && ++round <= max_rounds);
+    if (round > max_rounds) fail();
+  }
 
   [[noreturn]] static void fail() {
     throw InvalidInput("lines run too near each other to be separated. Set structure.join_mm to less");

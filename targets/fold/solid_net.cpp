@@ -384,7 +384,7 @@ SolidNet lay_out(const Solid& solid, int cells, int columns, const model::CellSi
     for (int root = 0; root < static_cast<int>(solid.faces.size()); ++root)
       if (unfolding.lay(root, strip))
         return drawn(solid, edges, insets, unfolding, foot, cells, columns, size);
-  throw InvalidInput("no flat net of this solid without overlap has been found. Use fewer columns a crease");
+  throw InvalidInput("no flat net of this solid without overlap was found. Use fewer columns per crease");
 }
 
 std::vector<double> fold_solid(SolidNet& net, double theta) {

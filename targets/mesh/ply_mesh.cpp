@@ -130,7 +130,7 @@ class HeaderReader {
   }
 
   void read_property() {
-    if (header_.elements.empty()) throw tokens_.error("a property stands before any element");
+    if (header_.elements.empty()) throw tokens_.error("a property is before the first element");
     PlyHeader::Property property;
     property.is_list = tokens_.word() == "list";
     if (property.is_list) {

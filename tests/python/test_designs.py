@@ -54,7 +54,7 @@ class Designs(Scratch):
         tilted = flat.with_hinges(beta=np.linspace(-0.1, 0.1, flat.hinges))
         self.assertEqual(np.count_nonzero(flat.beta), 0)
         np.testing.assert_array_equal(tilted.beta, np.linspace(-0.1, 0.1, flat.hinges))
-        with self.assertRaisesRegex(kinetix.InvalidInput, "one number a hinge, 13 in all"):
+        with self.assertRaisesRegex(kinetix.InvalidInput, "one number per hinge, 13 in all"):
             flat.with_hinges(beta=[0.1])
         with self.assertRaisesRegex(kinetix.InvalidInput, "beta"):
             flat.with_hinges(beta=np.full(flat.hinges, 2.0))

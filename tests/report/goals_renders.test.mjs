@@ -36,7 +36,7 @@ test("a display with elastomer hinges is shown within the limits of their strain
   await search("soft", "target: {kind: display, glyph: T}", "structure: {cells: [8, 8], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}",
     "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}", "tolerance: {strain: 0.25}");
   page.drawn("display", "within the limits");
-  page.drawn("display", "without them");
+  page.drawn("display", "without limits");
   page.drawn("display", "simulated in the elastic model");
 });
 

@@ -66,9 +66,9 @@ test("a goal in code is met or missed", async () => {
 test("a range that is free of contact is shown with its ends", async () => {
   await openWith({certified: {...CERTIFIED, covers_theta_printed: false}});
   page.holds("<h2>Collision-free range</h2>");
-  page.holds("For positive θ it ends at walls [[0, 0], [1, 0]] and [[0, 1], [1, 1]], which collide at 34.4°.");
+  page.holds("For positive angles it ends at walls [[0, 0], [1, 0]] and [[0, 1], [1, 1]], which collide at 34.4°.");
   page.holds("This state is inside");
-  page.holds("pair of plates touches as built");
+  page.holds("pair of plates touches in the flat sheet");
   page.holds("This state is outside: walls may collide during folding");
 });
 

@@ -130,7 +130,7 @@ def differences(a, b, tolerance, reworded, place=""):
         yield f"{place}: {a!r}, then {b!r}"
 
 
-CLOCK = re.compile(r"\b[\d.]+(e[+-]?\d+)? (s|ms|min|h|a second)\b")  # in sentences
+CLOCK = re.compile(r"\b[\d.]+(e[+-]?\d+)? (s|ms|min|h|a second|per second)\b")  # in sentences
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
 

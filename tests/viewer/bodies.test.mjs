@@ -84,7 +84,7 @@ test("a click reads a body, its hinges lead on, and another hinge is turned", as
   await page.select("#hinge_list", String(other));
   await page.click("#turn_this");
   await page.waitForFunction((hinge) => window.kinetix.design.bodies.driven === hinge && window.kinetix.design.bodies.meets, {}, other);
-  assert.match(await text("verdict_text"), /turns from \u22121\d\d\u00b0 to 1\d\d\u00b0 until bodies meet/);
+  assert.match(await text("verdict_text"), /turns from \u22121\d\d\u00b0 to 1\d\d\u00b0 until bodies collide/);
 });
 
 test("a hinge is given another stiffness, and that is undone", async () => {

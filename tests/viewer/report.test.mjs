@@ -5,7 +5,7 @@ import path from "node:path";
 import {after, before, test} from "node:test";
 import {browser, drawn, emptyPage, folder, resize, run, SHAPES} from "./studio.mjs";
 
-const MOST_BYTES = 1.2e6, MOST_MS = 16;  // of a report; of script, a step of the slider, on the processor
+const MOST_BYTES = 1.2e6;  // of a report
 const WIDE = [1100, 800], NARROW = [390, 800];  // CSS pixels
 const home = folder();
 let chrome, page, shown;  // the name of the shape whose report the page shows
@@ -132,11 +132,11 @@ test("a helmet: a tilt for every cell, and its layout at 1:1 on pages of A4", as
   assert.ok(tilts > 300, `${tilts} tilts`);
 });
 
-test("a helmet of 844 bodies: a step of the slider takes at most 16 ms of script", async () => {
-  const bytes = statSync(await report("headform")).size, median = await stepMs();
+// The time of a step is in the benchmarks (frame_rate.test.mjs).
+test("a helmet of 844 bodies: a report of moderate size, whose slider moves it", async () => {
+  const bytes = statSync(await report("headform")).size;
   assert.ok(bytes < MOST_BYTES, `${bytes} bytes`);
-  console.log(`a step: median ${median.toFixed(1)} ms`);
-  assert.ok(median > 0 && median < MOST_MS, `${median} ms`);
+  assert.ok((await stepMs()) > 0);
   assert.deepEqual(complaints, []);
 });
 

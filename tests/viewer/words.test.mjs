@@ -127,7 +127,7 @@ test("Save takes the design, Save at this fold what is shown, and the page says 
     assert.equal(await text(page, "design_fold"), "design: 20\u00b0");
     await page.evaluate(() => window.kinetix.setTheta(35));
     await page.click("#save");
-    await until(page, () => /Saved: .*strip\.yaml, folded as in the design, 20\u00b0, not as the slider has it, 35\u00b0/.test(document.getElementById("messages").textContent));
+    await until(page, () => /Saved: .*strip\.yaml, folded as in the design, 20\u00b0, not as shown, 35\u00b0/.test(document.getElementById("messages").textContent));
     assert.equal(thetaOf(file), 20);
     await page.click("#save_fold");
     await until(page, () => /folded as it is shown, 35\u00b0/.test(document.getElementById("messages").textContent));
@@ -138,7 +138,7 @@ test("Save takes the design, Save at this fold what is shown, and the page says 
     await until(page, () => document.getElementById("design_fold").textContent === "design: 20\u00b0" && !document.getElementById("unsaved").hidden);
     await page.click("#tab_make");
     assert.deepEqual(await page.$$eval('#export select[name="folded"] option', (all) => all.map(({textContent}) => textContent)),
-      ["as in the design (20\u00b0)", "as the slider has it (35\u00b0)"]);
+      ["as in the design (20\u00b0)", "as shown (35\u00b0)"]);
     await page.select('#export select[name="folded"]', "shown");
     await page.click('#formats input[value="3mf"]');
     await page.click("#export button[type=submit]");
@@ -155,7 +155,7 @@ test("a studio that is killed opens where it was, and says so while it is so", a
   await inStudio("", async () => {
     await send(page, "sheet", {columns: 5, rows: 3});
     await send(page, "hinge", {index: 0, t: 0.3});
-    assert.match(await page.$eval("#unsaved", ({title}) => title), /Kept in .*state.kinetix.studio/);
+    assert.match(await page.$eval("#unsaved", ({title}) => title), /A copy is in .*state.kinetix.studio/);
   }, place, "kill");
   await inStudio("", async () => {
     assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 15);

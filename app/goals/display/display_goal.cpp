@@ -109,7 +109,8 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
          violations(file.limits, display.loads->hinges, pressed_less(file, display)))
       why.push_back(limit);
   if (display.faint)
-    why.push_back("pressed less still it keeps its limits, but then letter and rest differ by less than 1 %");
+    why.push_back(
+        "a smaller compression would be within the limits, but then letter and rest differ by less than 1 %");
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   if (const std::string melted = describe_melting(display.goal, shown.reading); !melted.empty())
     why.push_back(melted);
@@ -227,7 +228,7 @@ class DisplayGoal final : public Goal {
       return;
     }
     display.design.evaluations = strained.evaluations;
-    display.design.why += "; strained on purpose it would not keep its limits";
+    display.design.why += "; with strain on purpose it would exceed its limits";
     if (!display.unlimited && !display.least_pressed) display.unlimited = loads;
   }
 

@@ -227,7 +227,7 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   if (shown.printed) lines.push_back({"print", printed_text(*shown.printed, run)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});
   if (unlimited) lines.push_back({"", "without limits " + loads_text(*unlimited)});
-  if (design.refined) lines.push_back({"strain", "intended; without it: " + describe(*this, exact)});
+  if (design.refined) lines.push_back({"strain", "on purpose; without it: " + describe(*this, exact)});
   if (const auto* physics = physics_measure_of<DisplayMeasure>(run))
     lines.push_back({"check", "picture in the simulation: " + describe(*this, physics->reading)});
   return lines;

@@ -262,8 +262,8 @@ void SurfaceOutcome::add_sections(const Run& run, Json& result) const {
                        {"ways", methods_json(measure_of<SurfaceMeasure>(run).methods)},
                        {"reasons", run.violations}};
   result["optimiser"] = {{"solver", "ceres"}, {"starts", design.starts}, {"evaluations", design.evaluations}};
-  add_end(design.stopped, design.within, "the best of all starts keeps to its bounds",
-          "no start led to a mesh that keeps to its bounds", result["optimiser"]);
+  add_end(design.stopped, design.within, "the best of all starts is within its bounds",
+          "no start led to a mesh within its bounds", result["optimiser"]);
 }
 
 void SurfaceOutcome::add_metrics(const Run& run, Json& metrics) const {

@@ -50,7 +50,7 @@ function drawRanges({certified, metrics}, width) {
 }
 
 function describeLeftOut({leftOut}) {
-  return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} as built, flat, and ${leftOut === 1 ? "is" : "are"} left out.` : "";
+  return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} in the flat sheet and ${leftOut === 1 ? "is" : "are"} not checked.` : "";
 }
 
 const ELASTIC_TEXT = " Computed for ideal hinges; the elastic solution stays close to this motion.";

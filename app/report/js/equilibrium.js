@@ -228,7 +228,7 @@ function eventTable({equilibrium}) {
   return html(
       "div", {class: "scroll"},
       table(
-          ["", "event", "at", "\u03b8", "load", "what happened"], equilibrium.events.map(row),
+          ["", "event", "at", "fold angle", "load", "what happened"], equilibrium.events.map(row),
           "Events along the drive"));
 }
 
@@ -244,7 +244,7 @@ function loadSection(data) {
     responsive((width) => drawLoad(data, width)),
     responsive((width) => drawEnergy(data, width)),
     equilibrium.path.slice(1).some((step) => step.stable === false) ?
-        legend(["loose-key", "not stable: a small push would take it elsewhere"]) :
+        legend(["loose-key", "not stable: a small push would move it away"]) :
         null,
     eventTable(data),
   ];
@@ -306,9 +306,9 @@ function energySection(data) {
         "div", {class: structure.columns > 3 * Math.max(1, structure.rows) ? "heats long" : "heats"},
         heatFigure(
             data, "stretch", "Stretch",
-            "Hinge points and axes pulled apart, which an ideal hinge would not allow."),
+            "Hinge points and axes pulled apart. Ideal hinges do not allow this."),
         heatFigure(
             data, "turn", "Rotation",
-            "Hinges bent from their flat rest: what it takes to hold the sheet folded.")),
+            "Hinges turned from flat. This energy resists the fold.")),
   ];
 }

@@ -77,7 +77,7 @@ function isFaced([a, b, c], eye) {
 }
 
 /** Returns a picture: its label, its points in mm and its drawing function. Null for bodies with too many faces. */
-function foldedShot(data, state = data.states.model, label = "The thing, folded") {
+function foldedShot(data, state = data.states.model, label = "The folded structure") {
   const {isBodies} = data.structure;
   if (data.kind?.standing && data.states.flat) return data.kind.standing(data);
   const eye = camera(...(data.view === "top" ? FIRST_TOP : FIRST_SLANT)), project = (p) => [dot(p, eye.right), dot(p, eye.up)];

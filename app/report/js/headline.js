@@ -22,10 +22,12 @@ function describeDesign(data) {
   return (bodies || "It has no target. ") + describeSimulation(data);
 }
 
-/** Describes the soft hinges with which prints are judged, in one sentence; "" if there are none. */
+const TRADE_NAMES = {tango: "Tango", tpu95a: "TPU 95A", pp: "polypropylene"};
+
+/** Describes the soft hinges that the print tolerance assumes, in one sentence; "" if there are none. */
 function describeSoftHinges(taken) {
   if (!taken) return "";
-  const what = `${taken.material} ${taken.kind === "film" ? "living hinges" : `${taken.kind}s`} ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
+  const what = `${TRADE_NAMES[taken.material] ?? taken.material} ${taken.kind === "film" ? "living hinges" : `${taken.kind}s`} ${millimetres(taken.gap_mm)} long (peak strain ${figures(taken.strain, 2)}, limit ${neat(taken.strain_allowed)})`;
   return taken.assumed ? ` You did not specify hinges, so kinetix assumed ${what}.` : ` Its hinges are ${what}.`;
 }
 
@@ -113,7 +115,7 @@ function angleNumber(metrics) {
   if (finite(metrics.theta_rad) === null) return null;
   const limit = toDegrees(metrics.theta_limit_rad);
   return keyNumber(
-      "Fold angle \u03b8", degrees(toDegrees(metrics.theta_rad)),
+      "Fold angle", degrees(toDegrees(metrics.theta_rad)),
       "turn of each body from flat" + (limit === null ? "" : `; walls collide at ${degrees(limit)}`));
 }
 

@@ -174,7 +174,7 @@ function describeSlant({hinges}) {
 /** Describes the largest offset of hinges across their walls; "" if it is zero. */
 function describeHingeOffsets({hinges}) {
   const most = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.offset)));
-  return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} to one side of the middle of their walls, across the wall` : "";
+  return most > 1e-6 ? `; hinges are up to ${millimetres(most)} to one side of the middle of their walls, across the wall` : "";
 }
 
 const LATTICE_NAMES = {graph: "cells of a drawing"};
@@ -221,7 +221,7 @@ function layoutSection(data) {
     tilted ? keys : null,
     tilted ? legend(
                  ["rim", "top edge of a wall"], ["face", "leaning face below it"],
-                 ["dot", "hinge, coloured by tilt"], ["lean-key", "the way the wall\u2019s top leans"]) :
+                 ["dot", "hinge, coloured by tilt"], ["lean-key", "direction in which the wall\u2019s top leans"]) :
              legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
     html(
         "p", {class: "note"},

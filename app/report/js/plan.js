@@ -79,7 +79,7 @@ function planGroup(data) {
         ["Bodies", finite(plan.bodies) ?? (structure.bodies.length || null)],
         ["Hinges", finite(plan.hinges) ?? (structure.hinges.length || null)],
         ["Degrees of freedom", describeMobility(plan.mobility)],
-        ["Fold angle \u03b8", describeTheta(data.metrics)],
+        ["Fold angle", describeTheta(data.metrics)],
       ].map(([name, value]) => [name, value === null || value === undefined ? null : String(value)])),
       why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
 }

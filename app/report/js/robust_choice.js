@@ -19,7 +19,7 @@ function drawRobustChoices(choices, width) {
     width,
     label: "Error of the design and of its prints",
     x: {range: barRange(near.map((one) => one.designed_mm)), label: "error of the design, mm rms"},
-    y: {range: barRange(near.map((one) => one.as_made_rms_mm)), label: "expected of prints, mm rms"}
+    y: {range: barRange(near.map((one) => one.as_made_rms_mm)), label: "expected print error, mm rms"}
   });
   const at = (one) => [axes.X(one.designed_mm), axes.Y(one.as_made_rms_mm)];
   axes.root.append(svg("path", {class: "model", d: path(robustFront(near).map(at))}), ...near.map((one) => svg("circle", {
@@ -30,13 +30,13 @@ function drawRobustChoices(choices, width) {
 
 function robustChoiceSection({robustChoices}) {
   const chosen = robustChoices.find((one) => one.chosen), plain = robustChoices.find((one) => one.plain);
-  const plainText = plain ? `of what a plain search finds, with ${robustChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}` :
-                             "of what a plain search finds that is not known";
+  const plainText = plain ? `${millimetres(plain.as_made_rms_mm)} for the original, with ${robustChoiceName(plain)}` :
+                             "unknown for the original";
   return [
     html("p", {class: "lead"}, chosen && !chosen.plain ?
-      `Prints with ${robustChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; ${plainText}.` :
-      "No other design that was tried and may be taken promises better prints than that of a plain search."),
+      `Expected print error: ${millimetres(chosen.as_made_rms_mm)} for this design, with ${robustChoiceName(chosen)}; ${plainText}.` :
+      "None of the other designs that were tried is expected to print more accurately than the original."),
     responsive((width) => drawRobustChoices(robustChoices, width)),
-    legend(["tried", "designs that meet the goal"], ["tried plain", "of the plain search"], ["tried chosen", "this one"]),
+    legend(["tried", "designs that meet the goal"], ["tried plain", "original"], ["tried chosen", "this one"]),
   ];
 }

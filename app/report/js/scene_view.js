@@ -35,8 +35,8 @@ function motionOf(data) {
   if (known.length < 2) return {poses: () => numbersOf(model), from: to, to, at: to, words: "One computed state."};
   const other = Math.abs(to - end) > SAME_THETA;
   return {poses: KinetixScene.storedMotion(known), from: end < 0 ? known[known.length - 1].theta : known[0].theta, to: end, at: to, ofDrive: other,
-    words: `The slider goes through ${known.length} computed states, and straight from each to the next.` +
-        (other ? ` It is in the state that was reached, \u03b8 ${degrees(toDegrees(to))}. Before, \u03b8 is that of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
+    words: `The slider shows ${known.length} computed states, and interpolates between them.` +
+        (other ? ` The state that was reached has the fold angle ${degrees(toDegrees(to))}. Fold angles before it are those of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
 }
 
 /** Returns a map from the frame of the results to the frame of the motion. Both share body 0. */
@@ -156,7 +156,7 @@ class SceneView {
 
   describePlace() {
     const {to, at, ofDrive} = this.motion, isEnd = Math.abs(this.theta - to) < 1e-9;
-    return `${ofDrive && !isEnd ? "drive at " : ""}\u03b8 ${degrees(toDegrees(isEnd ? at : this.theta))}`;
+    return `${ofDrive && !isEnd ? "drive at " : ""}${degrees(toDegrees(isEnd ? at : this.theta))}`;
   }
 
   showPhysics(on) {

@@ -76,7 +76,7 @@ function stableFigure(data, state, index) {
   const {equilibrium} = data;
   const facts = [
     `energy ${force(state.energy, "N\u00a0mm")}`,
-    state.theta === null ? null : `\u03b8 ${degrees(toDegrees(state.theta))}`,
+    state.theta === null ? null : `fold angle ${degrees(toDegrees(state.theta))}`,
     state.drive === null ? null : describeDrive(equilibrium, state.drive),
     state.gap === null ? null : `joint separation ${millimetres(state.gap * data.structure.cell)}`,
   ];
@@ -99,7 +99,7 @@ function stableSection(data) {
   return [
     html(
         "p", {class: "lead"},
-        "Where the structure stays when nothing drives it. It was released wherever the energy along the drive has a minimum; there may be states that this drive does not come near."),
+        "The structure stays in these states without a drive. The run released it at each minimum of the energy along the drive. There may be other states far from this motion."),
     html("div", {class: "heats"}, states.slice(0, MOST_PICTURES).map((state, k) => stableFigure(data, state, k))),
     states.length > MOST_PICTURES ?
         html("p", {class: "note"}, `${states.length - MOST_PICTURES} more are in the result file.`) :

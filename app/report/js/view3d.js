@@ -128,11 +128,11 @@ function stopsOf(data) {
     look, text, faces: centredFaces(structure, state, parts, level), lines: state === states.flat ? [] : centredLines(data, state)
   });
   const frames =
-      states.frames.map((state) => stop(state, "model", `\u03b8 ${degrees(toDegrees(state.theta))}`));
+      states.frames.map((state) => stop(state, "model", `fold angle ${degrees(toDegrees(state.theta))}`));
   const final = states.model ?
       [stop(
           states.model, "model",
-          states.model.theta === null ? "folded" : `\u03b8 ${degrees(toDegrees(states.model.theta))}`)] :
+          states.model.theta === null ? "folded" : `fold angle ${degrees(toDegrees(states.model.theta))}`)] :
       [];
   const flat = states.flat && !(states.frames[0]?.theta < 1e-6) ? [stop(states.flat, "model", "flat")] : [];
   return {

@@ -112,7 +112,7 @@ void Player::drive_engine(double theta) {
 
 sim::LiveSheet& Player::engine() {
   if (live_) return *live_;
-  throw InvalidInput("this needs the simulation: mode bullet");
+  throw InvalidInput("this command needs the simulation. Send mode bullet first");
 }
 
 void Player::fold_to(double theta) {

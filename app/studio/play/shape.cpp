@@ -80,7 +80,8 @@ bool is_same(const model::AssemblyHinge& a, const model::AssemblyHinge& b) {
 
 Design turned_as_shown(Design design, const Moving& moving, double theta) {
   if (body_pull_of(design))
-    throw InvalidInput("at_fold: bodies of this design are pulled. Save it without, or turn one hinge");
+    throw InvalidInput(
+        "at_fold: bodies of this design are pulled. Save it without at_fold, or turn one hinge");
   design.drive =
       model::HingeTurn{moving.motion->hinge, model::turn_at_theta(moving.motion->sense, theta) + 0.0};
   return design;

@@ -29,7 +29,7 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
     throw InvalidInput("there is no room for bodies round vertex [" + std::to_string(i) + ", " +
                        std::to_string(j) + "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
                        number_text(to_degrees(c.b)) +
-                       " deg are too uneven, within some 50 to 130 deg they fit");
+                       " deg are too uneven. Give sectors of about 50 to 130 deg");
   c.psi = (low + high) / 2;
   c.beside = {c.psi, c.a - c.psi, c.b - c.a + c.psi, pi - c.b - c.psi};
   const std::array<double, 4> lengths = {right.norm(), (m.at(i, j + 1) - m.at(i, j)).norm(),

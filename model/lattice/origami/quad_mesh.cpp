@@ -30,7 +30,7 @@ void check_sizes(const QuadMesh& m) {
   if (m.columns < 1 || m.rows < 1) throw InvalidInput("a mesh needs at least one facet");
   if (m.vertices.size() != (n + 1) * (r + 1) || m.rising.size() != (n - 1) * r ||
       m.level.size() != n * (r - 1))
-    throw InvalidInput("a mesh of facets has one point a vertex and one multiplier a crease");
+    throw InvalidInput("a mesh of facets has one point per vertex and one multiplier per crease");
 }
 
 void check_facet(const QuadMesh& m, int i, int j) {

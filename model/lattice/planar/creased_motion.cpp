@@ -40,8 +40,7 @@ std::string describe_lean_difference(const PlanarStructure& s, const PlanarCreas
       const double off = (line_of(s, creases, h) - crease.line).norm();
       if (off <= same_lean) continue;
       return "the hinges on walls " + wall(s, crease.hinges.front()) + " and " + wall(s, h) +
-             " of one crease must lean by the same angle, each to the side of its class, along its line: "
-             "they differ "
+             " of one crease must lean by the same angle, with the sign of their sublattice: they differ "
              "by " +
              number_text(to_degrees(std::atan(off))) + " deg";
     }
@@ -83,7 +82,8 @@ std::string why_not_straight(const PlanarStructure& s, const ParallelDrawing& y,
     return "the crease through wall " + wall(s, crease.hinges.front()) +
            " does not stay straight: the hinge on wall " + wall(s, left.hinge) + " leaves its line by " +
            number_text(is_moving ? left.moving : left.at_rest) +
-           (is_moving ? " cell edges times sin(theta)" : " cell edges at rest") + nearest_t(s);
+           (is_moving ? " cell edges times the sine of the fold angle" : " cell edges at rest") +
+           nearest_t(s);
   }
   return {};
 }
@@ -199,9 +199,9 @@ std::string why_not_creased(const PlanarStructure& s, const ParallelDrawing& y,
                             const PlanarCreases& creases) {
   if (!creases.loose.empty())
     return "the hinge on wall " + wall(s, creases.loose.front()) +
-           " does not stand upright, and upright hinges join what lies on both sides of it: a crease runs "
-           "from "
-           "rim to rim, or to where it meets others";
+           " leans, and upright hinges join both sides of it. A crease must run from boundary to boundary, "
+           "or to "
+           "another crease";
   if (std::string why = describe_lean_difference(s, creases); !why.empty()) return why;
   if (std::string why = why_not_straight(s, y, creases); !why.empty()) return why;
   return why_not_round(s, y, creases);
@@ -236,7 +236,7 @@ struct Corner {
 };
 
 [[noreturn]] void refuse(const PlanarStructure& s, int hinge) {
-  throw InvalidInput("the facets next to wall " + to_string(s.graph.edges[hinge]) + " are no polygons");
+  throw InvalidInput("the facets next to wall " + to_string(s.graph.edges[hinge]) + " are not polygons");
 }
 
 /// Returns the intersection of the lines of two creases at theta, in the plane of the sheet without its folds.

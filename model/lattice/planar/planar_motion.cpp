@@ -111,7 +111,8 @@ ExactMotion exact_motion(const PlanarStructure& structure) {
     return {{},
             "none",
             "no exact family: " + to_string(structure.faces[fit.worst_face]) +
-                " does not close: it is off by " + number_text(fit.misfit) + " cell edges times sin(theta)"};
+                " does not close: it is off by " + number_text(fit.misfit) +
+                " cell edges times the sine of the fold angle"};
   if (!all_vertical(structure)) return creased_motion(structure, fit.y);
   const auto at = [structure, y = fit.y](double theta) { return fold(structure, y, theta); };
   const auto theta = [structure, at, y = fit.y](const LinkageDrive& drive) {

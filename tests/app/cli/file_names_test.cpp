@@ -133,7 +133,7 @@ TEST_F(NamedFile, IsNotQuotedOutsideOfTheFolderOfTheTarget) {
   fs::create_directory(scratch_ / "targets/inner");
   scratch_.write("targets/inner/passwords", secret);
   fs::create_symlink(scratch_ / "passwords", scratch_ / "targets/link");
-  const std::string inside = "`root:secret:0:0` is not a header";
+  const std::string inside = "`root:secret:0:0` is not a point or a header";
   EXPECT_THAT(says(curve("passwords")), HasSubstr(inside));
   EXPECT_THAT(says(curve("inner/passwords")), HasSubstr(inside));
   EXPECT_THAT(says(curve("../targets/passwords")), HasSubstr(inside));
@@ -142,7 +142,7 @@ TEST_F(NamedFile, IsNotQuotedOutsideOfTheFolderOfTheTarget) {
     const std::string words = says(curve(outside));
     EXPECT_THAT(words, Not(HasSubstr("secret")));
     EXPECT_THAT(words, HasSubstr("not quoted"));
-    EXPECT_THAT(words, HasSubstr("Write the header `x,z`"));
+    EXPECT_THAT(words, HasSubstr("with the header `x,z`"));
   }
 }
 

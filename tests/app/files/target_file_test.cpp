@@ -347,7 +347,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
       {"kinetix: 1\n", 1, 1, "", {"`target` is missing", "kind: curve"}},
       {"kinetix: 1\ntarget:\n", 2, 1, "target", {"is empty", "kind"}},
       {"kinetix: 1\ntarget: {points: a.csv}\n", 2, 9, "target", {"`kind` is missing", "kind: curve"}},
-      {"kinetix: 1\ntarget: {kind: curve}\n", 2, 9, "target", {"`points` is missing", "CSV"}},
+      {"kinetix: 1\ntarget: {kind: curve}\n", 2, 9, "target", {"`points` is missing", "path of a file"}},
       {"kinetix: 1\ntarget: {kind: curve, point: a.csv}\n",
        2,
        23,

@@ -23,10 +23,10 @@ TEST(MeshFiles, OfModelsGiveOneMeshAndTheirUnit) {
 
 TEST(MeshFiles, OfStepAreSurfacesForRibs) {
   const Scratch scratch;
-  const std::string design =
-      scratch.write("one.yaml",
-                    "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20}\n"
-                    "hinge: {kind: block, material: tango}\ndesign: {theta_deg: 10}\n");
+  const std::string design = scratch.write(
+      "one.yaml",
+      "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20}\n"
+      "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1}\ndesign: {theta_deg: 10}\n");
   const Outcome out = kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
   ASSERT_EQ(out.code, 0) << out.err;
   const targets::FileMesh mesh = app::read_mesh_file((scratch / "step/one.step").string());

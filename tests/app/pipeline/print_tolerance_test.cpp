@@ -389,7 +389,7 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
     ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
-    EXPECT_THAT(one.out, HasSubstr("hinges: tango block "));
+    EXPECT_THAT(one.out, HasSubstr("hinges: Tango block "));
     // The rms of 100 prints is within 7 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())

@@ -130,7 +130,7 @@ TEST(PrintableCells, OfAPanelThatStretchesAreNotSearchedForUnknownHinges) {
       "kinetix: 1\ntarget: {kind: display, rows: [\"000\", \"010\", \"000\"]}\nvariables: {offset_mm: 0}\n");
   ASSERT_TRUE(run.print);
   EXPECT_FALSE(run.print->is_accepted);
-  EXPECT_THAT(run.print->why, ::testing::HasSubstr("the file does not say how they are made"));
+  EXPECT_THAT(run.print->why, ::testing::HasSubstr("the file does not describe how they are made"));
 }
 
 TEST(PrintableCells, OfANetBecomeLarger) {

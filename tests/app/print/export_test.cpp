@@ -113,8 +113,8 @@ TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
   const Scratch scratch;
   for (const auto& [edge_mm, words] :
        {std::pair{"30",
-                  "made with cells of 30 mm instead of 12: the sheet and what it folds to are 2.5 times as "
-                  "large. For the size of the goal search again with fewer cells"},
+                  "made with cells of 30 mm instead of 12: flat and folded sheet are 2.5 times as large. "
+                  "For the size of the goal search again with fewer cells"},
         {"9", "are 0.75 times as large. For the size of the goal search again with more cells"}}) {
     ASSERT_EQ(exported(scratch, panel, std::string("--format stl --hinge block --cell-mm ") + edge_mm).code,
               0);

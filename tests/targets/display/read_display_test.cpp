@@ -108,7 +108,7 @@ TEST(ReadDisplay, NamesThePlaceOfEveryMistake) {
       {"{glyph: [T]}", 1, 17, "target.glyph", {"is a list", "a letter or a short word"}},
       {"{image: none.png}", 1, 17, "target.image", {"none.png: no such file"}},
       {"{image: flat.png}", 1, 17, "target.image", {"flat.png: has one value everywhere"}},
-      {"{image: in.yaml}", 1, 17, "target.image", {"Give a PNG, PBM or PGM file"}},
+      {"{image: in.yaml}", 1, 17, "target.image", {"Give a PNG, JPEG, PBM or PGM file"}},
       {"{image: flat.png, levels: 3}", 1, 35, "target.levels", {"`3` is not known", "allowed: 2, grey"}},
       {"{image: flat.png, invert: yes}", 1, 35, "target.invert", {"Give true or false"}},
       {"{rows: []}", 1, 16, "target.rows", {"has no rows"}},

@@ -139,12 +139,13 @@ TEST(ReadDrawing, StraightensSides) {
   for (const int v : {2, 5}) EXPECT_EQ(walls.graph.vertices[v].x(), 20.001) << v;
 }
 
-TEST(ReadDrawing, RequestsAUnitThatTheFileDoesNotHave) {
-  EXPECT_THAT(refusal_of("panel.dxf", dxf_file(dxf_line(0, 0, 10, 0) + dxf_line(10, 0, 10, 20))),
-              AllOf(HasSubstr("design.yaml:1:10: drawing: "), HasSubstr("no $INSUNITS"),
-                    HasSubstr("Set structure.unit to mm (10 x 20 mm), in (254 x 508 mm)")));
-  EXPECT_THAT(refusal_of("panel.svg", "<svg width='100%' viewBox='0 0 9 9'><path d='M0 0H9V9'/></svg>"),
-              HasSubstr("Set structure.unit"));
+TEST(ReadDrawing, NamesTheUnitThatItAssumes) {
+  const DrawnWalls dxf = examine("panel.dxf", dxf_file(dxf_line(0, 0, 10, 0) + dxf_line(10, 0, 10, 20)));
+  EXPECT_EQ(dxf.unit, "1 unit = 1 mm (mm, assumed because the file has no $INSUNITS)");
+  const DrawnWalls svg =
+      examine("panel.svg", "<svg width='100%' viewBox='0 0 96 96'><path d='M0 0H96V96'/></svg>");
+  EXPECT_THAT(svg.unit, HasSubstr("1 unit = 0.2646 mm (px of 1/96 inch, assumed because"));
+  EXPECT_NEAR(svg.graph.vertices[2].x(), 25.4, 1e-9);
 }
 
 TEST(ReadDrawing, TakesUnitAndScaleOfTheDocument) {

@@ -202,10 +202,10 @@ function limitsTable(display) {
   const row = (name, loads) => ({cells: [
     name, finite(loads.compression) === null ? "one hinge" : percent(loads.compression), `${figures(loads.force_N, 2)} N`, figures(loads.strain, 2), figures(loads.auc, 3), figures(loads.contrast, 2)
   ]});
-  const rows = [row(display.unlimited ? "within the limits" : "this panel, which keeps the limits", display.loads)];
-  if (display.unlimited) rows.push(row("without them", display.unlimited));
+  const rows = [row(display.unlimited ? "within the limits" : "this panel, within the limits", display.loads)];
+  if (display.unlimited) rows.push(row("without limits", display.unlimited));
   return html("div", {class: "scroll"},
-              table(["", "compressed by", "force, largest", "strain, largest", "AUC", "contrast"], rows, "Limits of force and strain"));
+              table(["", "compressed by", "force, largest", "strain, largest", "AUC", "separation d\u2032"], rows, "Limits of force and strain"));
 }
 
 /** Makes the table of the print tolerance analysis. */
@@ -216,7 +216,7 @@ function printsTable(display) {
   return html("div", {class: "scroll"},
               table(["prints", "separation d\u2032, mean", "separation d\u2032 that 95 % of prints exceed", "AUC"],
                     [row("expected", expected), row(`${display.printed.count} simulated in the elastic model`, prints)],
-                    display.printed.confirmed === false ? "What prints show, estimated: first order is far from them" : "What prints show, estimated"));
+                    display.printed.confirmed === false ? "Pictures of prints, estimated. The linear estimate is far from the simulated prints" : "Pictures of prints, estimated"));
 }
 
 /** Describes the size of a panel that is needed or estimated. The reasons are at the top of the page. */
@@ -232,8 +232,8 @@ function startsTable(display) {
   if (rows.length === 0) return null;
   return html("div", {},
               html("p", {}, "The search starts from the paper\u2019s rule (uniform-scaling cells where the picture is) by both " +
-                                "checkerboards, and from variations of it. What the starts show by themselves:"),
-              table(["start", "AUC", "contrast", "cost after the first stage", ""],
+                                "checkerboards, and from variations of it. Separation before the search:"),
+              table(["start", "AUC", "separation d\u2032", "cost after the first stage", ""],
                     rows.map((start) => ({cells: [
                       start.name, figures(start.auc), figures(start.contrast), figures(start.cost),
                       start.sharpened === true ? "sharpened" : ""
@@ -247,7 +247,7 @@ const GREY_NUMBERS = [
 ];
 const LETTER_NUMBERS = [
   ["contrast", "Separation d\u2032", "letter cells against the rest, in standard deviations", "contrast", AT_LEAST],
-  ["auc", "Letter recognised", "chance that a letter cell stands out from another (AUC); 0.5 is guessing", "auc", AT_LEAST],
+  ["auc", "Letter recognised", "probability of the correct order of a letter cell and another (AUC); 0.5 is chance", "auc", AT_LEAST],
 ];
 
 function displayNumbers(data) {

@@ -106,8 +106,8 @@ function attemptTable({attempts}) {
   const dropped = attempts.filter((attempt) => attempt.why);
   if (!dropped.length) return null;
   return html(
-      "details", {}, html("summary", {}, `${count(dropped.length, "attempt", "attempts")} given up, and why`),
-      table(["Unfolding", "Columns per crease", "Why not"], dropped.map((attempt) => ({
+      "details", {}, html("summary", {}, `${count(dropped.length, "attempt", "attempts")} that failed, with the reason`),
+      table(["Unfolding", "Columns per crease", "reason"], dropped.map((attempt) => ({
         cells: [String((finite(attempt.unfolding) ?? 0) + 1), [...new Set(list(attempt.columns))].join(", "), String(attempt.why)]
       })), "Attempts"));
 }
@@ -115,9 +115,9 @@ function attemptTable({attempts}) {
 function foldLimits({loads, unlimited}) {
   if (!loads) return null;
   const row = (name, at) => ({cells: [name, degrees(toDegrees(at.theta_rad)), `${figures(at.force_N, 2)} N`, figures(at.strain, 2)]});
-  const rows = [row(unlimited ? "within the limits" : "this net, which keeps the limits", loads)];
-  if (unlimited) rows.push(row("without them", unlimited));
-  return html("div", {class: "scroll"}, table(["", "theta", "force, largest", "strain, largest"], rows, "Limits of force and strain"));
+  const rows = [row(unlimited ? "within the limits" : "this net, within the limits", loads)];
+  if (unlimited) rows.push(row("without limits", unlimited));
+  return html("div", {class: "scroll"}, table(["", "fold angle", "force, largest", "strain, largest"], rows, "Limits of force and strain"));
 }
 
 function foldSection({goal: fold, structure}) {
@@ -128,7 +128,7 @@ function foldSection({goal: fold, structure}) {
            `${count(fold.faces.length, "face", "faces")} and ${count(fold.creases.length, "crease", "creases")} of cells of ${
                millimetres(structure.cell)}, unfolding ${(fold.unfolding ?? 0) + 1} of ${fold.unfoldings ?? 1}.${edges}`),
       html("figure", {class: "picture", id: "net"}, responsive((width) => drawNet(fold, width)),
-           html("figcaption", {}, "Seen from above, flat. Coloured cells bend by the angle written on them; positive angles rise towards the reader.")),
+           html("figcaption", {}, "Seen from above, flat. Coloured cells bend by the angle on them. Positive angles fold towards the reader.")),
       html("div", {class: "scroll"}, creaseTable(fold)), foldLimits(fold), attemptTable(fold));
 }
 

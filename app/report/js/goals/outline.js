@@ -47,11 +47,11 @@ function outlineSection(data) {
   row("model, flat", outline.flat);
   row("simulation, pressed", outline.physics);
   return [
-    table(["state", "rms", "largest", "area shared"], rows, "Boundary against outline, in parts of the outline\u2019s diagonal"),
+    table(["state", "rms", "largest", "area shared"], rows, "Boundary against outline, relative to the outline\u2019s diagonal"),
     html("p", {class: "note"},
-         `Hinges sit up to ${millimetres(outline.offset ?? 0)} to one side of the middle of their walls, across the wall. ` +
-             `${percent(outline.bounds.offset ?? 0)} of the walls have the largest offset that is allowed, ` +
-             `${percent(outline.bounds.turn ?? 0)} turn as far as they may` +
+         `Hinges are up to ${millimetres(outline.offset ?? 0)} off the middle of their walls, across the wall. ` +
+             `${percent(outline.bounds.offset ?? 0)} of the walls have the largest allowed offset, ` +
+             `${percent(outline.bounds.turn ?? 0)} have the largest allowed turn` +
              (outline.cuts > 1 ? `; the panel is the best of ${outline.cuts} cuts of the lattice.` : ".")),
   ];
 }

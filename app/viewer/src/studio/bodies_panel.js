@@ -101,10 +101,10 @@ export class BodiesPanel {
 /** Describes the direction and range of the motion in a sentence for the heading of the panel. */
 export function describeTurn({bodies, exact, structure}) {
   const {name} = structure.hinges[bodies.driven];
-  if (bodies.pulled) return bodies.following ? "Following the pull\u2026" : `Bodies are pulled: hinges turn by ${neat(degrees(bodies.turn_range_rad[1]), 0)}\u00b0 in the mean.`;
+  if (bodies.pulled) return bodies.following ? "Following the pull\u2026" : `Bodies are pulled: hinges turn by ${neat(degrees(bodies.turn_range_rad[1]), 0)}\u00b0 on average.`;
   if (bodies.following) return `Following ${name}\u2026`;
   if (!exact) return `${name} does not turn.`;
   const met = bodies.meets?.some((meeting) => meeting), ends = bodies.turn_range_rad.map((turn, k) => bodies.meets?.[k]?.turn_rad ?? turn);
   const [least, most] = ends.map((turn) => neat(degrees(turn), 0));
-  return `${name} turns from ${least}\u00b0 to ${most}\u00b0${met ? " until bodies meet" : ""}.`;
+  return `${name} turns from ${least}\u00b0 to ${most}\u00b0${met ? " until bodies collide" : ""}.`;
 }

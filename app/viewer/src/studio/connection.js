@@ -34,7 +34,7 @@ export class Connection {
   }
 
   closed() {
-    for (const {reject} of this.waiting.values()) reject(new Error("The program has gone."));
+    for (const {reject} of this.waiting.values()) reject(new Error("The program has stopped."));
     this.waiting.clear();
     this.newest.clear();
     this.emit("closed", {});
@@ -64,7 +64,7 @@ export class Connection {
   /** Sends a command. The promise resolves with the first frame that shows its effect, and rejects if the command is
    *  refused. */
   send(type, keys = {}) {
-    if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("The program is not there."));
+    if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("The program is not running."));
     const id = this.next++;
     const answer = new Promise((resolve, reject) => this.waiting.set(id, {type, resolve, reject}));
     this.socket.send(JSON.stringify({type, id, ...keys}));

@@ -85,8 +85,8 @@ export class DesignPanel {
   showUnsaved() {
     const {unsaved, kept, not_kept, restored, theta_rad, bodies} = this.state.design, {autosave} = this.state.hello ?? {};
     show($("unsaved"), unsaved);
-    $("unsaved").textContent = kept ? "not saved" : "not saved, kept nowhere";
-    $("unsaved").title = kept ? `Kept in ${autosave} until it is saved: if the studio is killed, the next one opens it.` : not_kept ?? "";
+    $("unsaved").textContent = kept ? "not saved" : "not saved, without a copy";
+    $("unsaved").title = kept ? `A copy is in ${autosave} until you save. If the studio is killed, the next one opens the copy.` : not_kept ?? "";
     $("design_fold").textContent = bodies ? "" : `design: ${describeFold(theta_rad)}`;
     if (restored) showMessage("These changes were not saved when the studio ended. Undo shows the saved design.", {about: "restored"});
     else clearMessage("restored");

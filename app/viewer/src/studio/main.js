@@ -94,7 +94,7 @@ function describeSaved({theta_rad, at_fold}) {
   if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "in the design"}`;
   if (at_fold) return `folded as it is shown, ${describeFold(theta_rad)}`;
   const shown = state.frame?.theta, is_other = Number.isFinite(shown) && Math.abs(shown - theta_rad) > radians(0.05);
-  return `${state.design.has_result ? "folded as it was found" : "folded as in the design"}, ${describeFold(theta_rad)}${is_other ? `, not as the slider has it, ${describeFold(shown)}` : ""}`;
+  return `${state.design.has_result ? "folded as found" : "folded as in the design"}, ${describeFold(theta_rad)}${is_other ? `, not as shown, ${describeFold(shown)}` : ""}`;
 }
 
 /** Sets the view for a result: pictures and outlines from above, everything else slanted. */
@@ -167,7 +167,7 @@ function marks() {
   if (state.design.bodies) axes();
   const tilts = structure.hinges.map(({beta_rad}) => Math.abs(beta_rad)), most = Math.max(...tilts, 1e-9), bad = new Set(breaking);
   const off = choice === "distance" ? distancesOf(state.found) : null, farthest = Math.max(...(off ?? []), 1e-9);
-  if (choice === "distance") status(off ? `pale: on the goal, dark: ${neat(farthest, 2)} mm off` : "how far it lies off a goal is known of what a search for a curve, a helmet or ribs found");
+  if (choice === "distance") status(off ? `pale: on the goal, dark: ${neat(farthest, 2)} mm from it` : "Distances from a goal are known after a search for a curve, a helmet or ribs");
   if (off) return scene.setHeat(off.map((v) => v / farthest), "body");
   scene.setHeat({tilt: tilts.map((v) => v / most), turn: choice === "turn" ? turns() : null, error: structure.hinges.map((_, k) => (bad.has(k) ? 1 : 0))}[choice] ?? null);
 }
@@ -244,7 +244,7 @@ document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") dragTool.letGo();
   if ((!typing && shortcut(event)) || (event.target === scene.canvas && sceneKey(event))) event.preventDefault();
 });
-window.addEventListener("error", ({message}) => showMessage(`This page went wrong: ${message}`));
+window.addEventListener("error", ({message}) => showMessage(`Error in this page: ${message}`));
 for (const [when, paper] of [["beforeprint", true], ["afterprint", false]])
   window.addEventListener(when, () => {
     if (paper) document.documentElement.dataset.theme = "light";

@@ -50,7 +50,7 @@ export class MakePanel {
     const {design, frame} = this.state, {folded} = $("export").elements;
     if (!design) return;
     const [asDesign, asShown] = [this.angle(design.theta_rad), frame ? this.angle(frame.theta) : "\u2013"];
-    const words = [`${design.has_result ? "as it was found" : "as in the design"} (${asDesign})`, `as the slider has it (${asShown})`];
+    const words = [`${design.has_result ? "as found" : "as in the design"} (${asDesign})`, `as shown (${asShown})`];
     words.forEach((text, k) => folded.options[k].textContent !== text && (folded.options[k].textContent = text));
   }
 

@@ -67,7 +67,7 @@ PlanarSheet planar_motion(const Structure& sheet) {
   return {{},
           face.edges.front(),
           "no exact family: " + name_of(face, sheet) + " does not close: it is off by " +
-              number_text(fit.misfit) + " cell edges times sin(theta)"};
+              number_text(fit.misfit) + " cell edges times the sine of the fold angle"};
 }
 
 void place_hinges(const ParallelDrawing& y, Structure& sheet) {

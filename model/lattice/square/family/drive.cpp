@@ -185,13 +185,12 @@ void require_kept_rows(const Structure& structure, const Classification& kind, A
   if (kind.family == Family::none) return;
   const auto fold_to = [&](double theta) { return fold(kind, structure, theta); };
   if (keeps_between_plates(structure, rows, fold_to)) return;
-  throw InvalidInput("plates normal to " + std::string(to_string(axis)) + " cannot hold the boundary of " +
-                         what +
-                         ": its first and last row of vertices do not stay in two parallel planes, "
-                         "cos(theta) times as far apart as "
-                         "flat, as it folds; "
-                         "grip a flat panel, or a spine by its two long sides",
-                     {"", 0, 0, "drive.grip"});
+  throw InvalidInput(
+      "plates normal to " + std::string(to_string(axis)) + " cannot hold the boundary of " + what +
+          ": as it folds, its first and last row of vertices do not stay in two parallel planes at the flat "
+          "distance times the cosine of the fold angle; "
+          "grip a flat panel, or a spine by its two long sides",
+      {"", 0, 0, "drive.grip"});
 }
 
 namespace {

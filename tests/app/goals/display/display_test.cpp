@@ -260,7 +260,7 @@ TEST(Display, IsStrainedOnPurposeOnlyWithinItsLimits) {
   EXPECT_LE(result["display"]["loads"]["force_N"], 2);
   EXPECT_GT(result["display"]["unlimited"]["force_N"], 2);
   EXPECT_EQ(result["display"]["scaled"]["strained"], false);
-  EXPECT_THAT(result["optimiser"]["why"].get<std::string>(), HasSubstr("it would not keep its limits"));
+  EXPECT_THAT(result["optimiser"]["why"].get<std::string>(), HasSubstr("it would exceed its limits"));
 }
 
 TEST(Display, StretchIsThatOfTheStateThatIsShown) {
@@ -429,7 +429,7 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
       {"glyph: T, font: DejaVu Sanz", "is not installed"},
       {"glyph: T, font: DejaVu Sanz", "DejaVu Sans"},
       {"image: none.png", "no such file"},
-      {"image: text.png", "Give a PNG, PBM or PGM file"},
+      {"image: text.png", "Give a PNG, JPEG, PBM or PGM file"},
       {"image: damaged.png", "damaged.png: is damaged"},
       {"image: nine.pgm", "largest value is 3, 15, 255 or 65535"},
       {"image: huge.pgm", "80000 x 80000 pixels; at most 64 megapixels"},

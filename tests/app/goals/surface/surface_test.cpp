@@ -229,7 +229,7 @@ TEST(SurfaceGoal, RefusesWhatItCannotRead) {
   folder.write("tiny.obj", testing::obj_text(testing::cube(0.1)));
   folder.write("cube.obj", testing::obj_text(testing::cube(50)));
   refused(", mesh: cube.obj", "give `target.ribs`");
-  refused(", mesh: tiny.obj, ribs: 3", "by `units`");
+  refused(", mesh: tiny.obj, ribs: 3", "Give `units: ");
   refused(", shape: cap, ribs: 0", "target.ribs");
   refused(", mesh: cube.obj, ribs: 3, arc_deg: 20", "only applies to a shape");
   refused(", shape: cap, ribs: 3}\nstructure: {facets: [3, 3]", "only applies to a sheet of facets");

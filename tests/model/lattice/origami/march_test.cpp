@@ -59,7 +59,7 @@ TEST(QuadMesh, SaysWhatIsWrongWithIt) {
   validate(good);
   QuadMesh mesh = good;
   mesh.level.pop_back();
-  EXPECT_THAT(refused(mesh), HasSubstr("one multiplier a crease"));
+  EXPECT_THAT(refused(mesh), HasSubstr("one multiplier per crease"));
   mesh = good;
   mesh.at(0, 0).x() = std::nan("");
   EXPECT_THAT(refused(mesh), HasSubstr("facet [0, 0] has corners that are not finite"));

@@ -118,7 +118,7 @@ TEST(CreasedMotion, FoldsSheetsThatHardlyLean) {
 TEST(CreasedMotion, NamesAHingeThatLeansAlone) {
   PlanarStructure s = make_planar_structure(lattice_graph(honeycomb_lattice, 3, 3), {});
   s.hinges[s.faces[4].edges[0]].beta = 0.3;
-  EXPECT_THAT(exact_motion(s).why, HasSubstr("upright hinges join what lies on both sides of it"));
+  EXPECT_THAT(exact_motion(s).why, HasSubstr("upright hinges join both sides of it"));
 }
 
 /// Its hinges moved along their walls, the cells closed again, so that only its crease is crooked.

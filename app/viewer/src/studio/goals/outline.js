@@ -8,6 +8,6 @@ export const outlineGoal = {
   cards: {
     outline: {title: "Outline", about: "Draw the boundary that the panel is to have when it is pressed.", pad: true, closed: true, drop: ".csv",
       fields: [field("width_mm", "field", 200, {unit: "mm wide", min: 20, max: 3000})],
-      text: ({points, name}) => targetFile("outline", `{kind: outline, points: ${name ? inQuotes(name) : pairs(points)}}`)},
+      text: ({points, name}) => targetFile("outline", `{kind: outline, points: ${name ? inQuotes(name) : pairs([...points, points[0]])}}`)},
   },
 };

@@ -1,4 +1,4 @@
-#include "app/goals/outline/sufficient_cells.hpp"
+#include "app/goals/outline/outline_remedies.hpp"
 
 #include <gmock/gmock.h>
 #include <cmath>
@@ -29,32 +29,31 @@ std::string bone_target(const std::string& structure) {
   return "kinetix: 1\ntarget: {kind: outline, points: " + bone() + "}\n" + structure;
 }
 
-app::Run run_bone(const std::string& text) {
+app::Run run_bone(const targets::DocumentChanges& changes, bool seeks_remedy) {
   testing::TemporaryFolder folder;
   RunOptions options;
   options.verify = false;
-  options.suggests_cells = true;
-  return run_goal(*read_target(folder.write("bone.yaml", text)).goal, options);
+  options.seeks_remedy = seeks_remedy;
+  const auto goal = read_target(folder.write("bone.yaml", bone_target("structure: {cells: [6, 6]}\n"))).goal;
+  return run_goal(changes.empty() ? *goal : *goal->change(changes).goal, options);
 }
 
-/// The keys that a missed outline names are followed to the letter.
-TEST(SufficientCells, MeetTheGoalThatWasMissed) {
-  const app::Run missed = run_bone(bone_target("structure: {cells: [6, 6]}\n"));
+/// The cells that a missed outline names are set in its file, and the goal is met.
+TEST(OutlineRemedies, MeetTheGoalThatWasMissed) {
+  const app::Run missed = run_bone({}, true);
   ASSERT_FALSE(missed.met());
   const std::string& why = missed.violations.front();
-  const std::size_t first = why.find("structure: {"), last = why.find("}`");
-  ASSERT_NE(first, std::string::npos) << why;
   EXPECT_THAT(why, HasSubstr("the goal is met"));
-  const app::Run met = run_bone(bone_target(why.substr(first, last - first + 1) + "\n"));
+  constexpr std::string_view key = "structure.cells: ";
+  const std::size_t first = why.find(key), last = why.find(']', first);
+  ASSERT_NE(first, std::string::npos) << why;
+  const std::string cells = why.substr(first + key.size(), last - first - key.size() + 1);
+  const app::Run met = run_bone({{"structure.cells", cells}}, false);
   EXPECT_TRUE(met.met()) << (met.met() ? "" : met.violations.front());
 }
 
-TEST(SufficientCells, AreNotSearchedForUnlessRequested) {
-  testing::TemporaryFolder folder;
-  RunOptions options;
-  options.verify = false;
-  const app::Run missed = run_goal(
-      *read_target(folder.write("bone.yaml", bone_target("structure: {cells: [6, 6]}\n"))).goal, options);
+TEST(OutlineRemedies, AreNotSearchedForUnlessRequested) {
+  const app::Run missed = run_bone({}, false);
   ASSERT_FALSE(missed.met());
   EXPECT_EQ(missed.violations.front().find("the goal is met"), std::string::npos);
 }
