@@ -49,7 +49,7 @@ struct OutlineProgress {
 };
 /// Moves the boundary towards the outlines. Each round finds the nearest points again and solves a convex
 /// problem, until nothing moves. The result is within bounds (to 1e-6). x is unchanged if `flat` is null.
-/// @param spread first move the boundary's vertices to their places along the outlines (spread_along)
+/// @param spread first move the boundary's vertices to their places along the outlines (spread_along).
 /// @param again only some bounds have changed since the last call, so that few rounds suffice
 /// @param memory from the last call, or empty; updated for the next one
 OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread, bool again,

@@ -40,7 +40,7 @@ class CellLadder {
     walls_ += 2 * columns * rows;
   }
 
-  /// Adds panels from a side to the largest, until all have so many walls together.
+  /// Adds panels from a side to the largest, until they have a number of walls together.
   void climb(int first, int walls, const std::string& trim, const std::string& lattice = "") {
     for (int side = first; side <= largest_side && walls_ < walls; side = to_even(more_cells * side))
       add(side, trim, lattice);
