@@ -394,6 +394,8 @@ Run run_goal(const Goal& goal, const RunOptions& options) {
   const double seconds = watch.lap();
   Run run = run_found(std::move(searched.found), searched.goal.get(), options);
   run.timings.optimise = seconds;
+  if (const std::string remedy = find_remedy(goal, run, options); !remedy.empty())
+    run.violations.front() += ". " + remedy;
   return run;
 }
 
