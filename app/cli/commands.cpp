@@ -132,7 +132,8 @@ RunOptions run_options(const CommandOptions& options, Console& console, const st
           .stop = stop,
           .fidelity = options.fidelity,
           .printable = answer_of_export,
-          .printable_size = find_printable_size};
+          .printable_size = find_printable_size,
+          .seeks_remedy = true};
 }
 
 using RunFunction = std::function<Run(const RunOptions&)>;

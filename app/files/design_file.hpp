@@ -33,6 +33,7 @@ struct Design {
   PhysicsSection physics = {};
   /// Cuts from which the bodies follow; null for all other designs
   std::shared_ptr<const targets::CutSheet> cuts = {};
+  std::vector<std::string> notes = {};  ///< changes to files that it names, one sentence each
 };
 
 /// Returns the hinge sections of a design: the common one if a hinge uses it, then each override.

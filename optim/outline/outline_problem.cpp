@@ -105,17 +105,19 @@ class Round {
 
   /// @return largest move of a vertex, cell edges
   double take(const VectorXd& u, OutlineShape& shape) const {
-    double moved = 0;
-    for (int v = 0; v < static_cast<int>(shape.folded.size()); ++v) {
-      const Vector2d folded = u.segment<2>(columns_.folded(v));
-      moved = std::max(moved, (folded - shape.folded[v]).norm());
-      shape.folded[v] = folded;
-      if (!columns_.flat_is_free) continue;
-      const Vector2d flat = u.segment<2>(columns_.flat(v));
-      moved = std::max(moved, (flat - shape.flat[v]).norm());
-      shape.flat[v] = flat;
-    }
+    const OutlineShape before = shape;
     shape.scale = 1 / u[columns_.scale()];
+    for (int v = 0; v < static_cast<int>(shape.folded.size()); ++v) {
+      shape.folded[v] = u.segment<2>(columns_.folded(v));
+      if (columns_.flat_is_free) shape.flat[v] = u.segment<2>(columns_.flat(v));
+    }
+    // The mean of a solution and its images is also a solution, since the problem is convex and symmetric.
+    symmetrise(p_.symmetries, p_.folded->middle() / shape.scale, shape.folded);
+    if (columns_.flat_is_free) symmetrise(p_.symmetries, p_.flat->middle() / p_.flat_scale, shape.flat);
+    double moved = 0;
+    for (std::size_t v = 0; v < shape.folded.size(); ++v)
+      moved = std::max(
+          {moved, (shape.folded[v] - before.folded[v]).norm(), (shape.flat[v] - before.flat[v]).norm()});
     return moved;
   }
 
@@ -306,10 +308,10 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
   return best;
 }
 
-OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
+OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread, bool again,
                         BoxLeastSquaresMemory& memory) {
   OutlineProgress progress;
-  const int first = spread ? 0 : rounds_of_spreading, most = spread ? max_slides : max_rounds_again;
+  const int first = spread ? 0 : rounds_of_spreading, most = again ? max_rounds_again : max_slides;
   const auto solve = [&](const BoxLeastSquaresOptions& options) {
     Round round(problem, shape, first + progress.rounds++);
     BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);

@@ -135,6 +135,7 @@ class TableReader {
       return axis == "x" || axis == "y" || axis == "z";
     });
     if (names_axis) return read_header(fields);
+    if (has_header_ && name_.line == 0) return read_point();
     const bool is_table = separator != ' ' && fields.size() == form_.axes.size();
     const NumberedLine title{line_, number_};
     if (has_header_ || is_table) refuse_title(title);

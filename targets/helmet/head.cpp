@@ -194,7 +194,7 @@ HeadPose read_pose(const Section& target, const FileMesh& file, std::vector<std:
   HeadPose pose;
   if (target.optional("up"))
     target.read("up", pose.up, axes);
-  else if (pose.up = likely_up(file.mesh).up; pose.up != Vector3d::UnitZ())
+  else if (pose.up = likely_up(file.mesh); pose.up != Vector3d::UnitZ())
     notes.push_back("by its shape, the head points up along " + axis_name(pose.up) +
                     " of the mesh. Give `up` if this is wrong");
   const std::optional<double> unit = read_unit(target, "units");

@@ -152,10 +152,11 @@ constexpr double half_length = 0.5, half_breadth = 0.39, upper_height = 0.49;
 constexpr double depth_of_length = 0.5;             // of the length: above nose and ears
 constexpr double levels[] = {0.03, 0.1, 0.2, 0.4};  // depths at which sections are compared, over the length
 constexpr double head_misfit = 0.1;                 // most of a head: other things have no axis of a head
-constexpr double clear_difference = 0.12;  // of misfits: an axis other than +z must fit better by this
+constexpr double clear_difference = 0.12;  // of misfits: the axis must fit better than all others by this
 constexpr double one_sided_normal =
     0.3;  // mean normal over the area, from which a mesh shows one side; half a sphere has 1/2
 
+/// Returns the mean logarithm of the ratios of sizes of sections below the top to those of a usual head.
 double misfit_of(const TriangleMesh& mesh, const Vector3d& up) {
   const double length = head_length(mesh, up);
   if (!(length > 0)) return std::numeric_limits<double>::infinity();
@@ -182,17 +183,20 @@ double head_length(const TriangleMesh& mesh, const Vector3d& up) {
   return (lower + upper) / 2;
 }
 
-LikelyUp likely_up(const TriangleMesh& mesh) {
-  LikelyUp best{Vector3d::UnitZ(), misfit_of(mesh, Vector3d::UnitZ())};
-  best.misfit -= clear_difference;
-  for (const Vector3d& up :
-       {Vector3d(Vector3d::UnitY()), Vector3d(Vector3d::UnitX()), Vector3d(-Vector3d::UnitY()),
-        Vector3d(-Vector3d::UnitZ()), Vector3d(-Vector3d::UnitX())}) {
+Vector3d likely_up(const TriangleMesh& mesh) {
+  Vector3d best = Vector3d::UnitZ();
+  double least = std::numeric_limits<double>::infinity(), second = least;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3d up = (k < 3 ? 1 : -1) * Vector3d::Unit(k % 3);
     const double misfit = misfit_of(mesh, up);
-    if (misfit < std::min(best.misfit, head_misfit)) best = {up, misfit};
+    if (misfit < least) {
+      second = std::exchange(least, misfit);
+      best = up;
+    } else {
+      second = std::min(second, misfit);
+    }
   }
-  if (best.up == Vector3d::UnitZ()) best.misfit += clear_difference;
-  return best;
+  return least <= head_misfit && second - least >= clear_difference ? best : Vector3d(Vector3d::UnitZ());
 }
 
 bool is_face_scan(const TriangleMesh& mesh, const Vector3d& up) {

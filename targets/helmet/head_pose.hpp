@@ -52,15 +52,10 @@ TriangleMesh near_crown(const TriangleMesh& mesh, const Eigen::Vector3d& up);
 /// a depth of 0.4 of that length, which lies above nose and ears.
 double head_length(const TriangleMesh& mesh, const Eigen::Vector3d& up);
 
-/// Direction that points up in a mesh of a head, found by its shape.
-struct LikelyUp {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit vector along an axis
-  /// Misfit from 0: mean logarithm of the ratios of sizes of sections below the top to those of a usual head.
-  double misfit = 0;
-};
-
-/// Tries all six axes. +z is taken unless another axis fits clearly better. @param mesh of a head, in any unit
-LikelyUp likely_up(const TriangleMesh& mesh);
+/// Finds the direction that points up in a mesh of a head: the axis along which its sections below the top fit a usual
+/// head best. Another axis than +z must fit clearly better than the other five.
+/// @param mesh of a head, in any unit   @return unit vector along an axis
+Eigen::Vector3d likely_up(const TriangleMesh& mesh);
 
 /// Whether a mesh shows one side of a head alone, as a scan of a face does. @param up unit vector
 bool is_face_scan(const TriangleMesh& mesh, const Eigen::Vector3d& up);

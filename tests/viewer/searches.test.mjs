@@ -43,7 +43,7 @@ test("colours by the distance from the goal", async () => {
   await page.click("#search");
   await page.waitForFunction(() => !document.getElementById("found").hidden);
   await page.select("#colour", "distance");
-  await page.waitForFunction(() => /dark: [\d.]+ mm off/.test(document.getElementById("status").textContent));
+  await page.waitForFunction(() => /dark: [\d.]+ mm from it/.test(document.getElementById("status").textContent));
 });
 
 /** Exports by the button. @returns the names of the files, none without a new folder */

@@ -135,7 +135,7 @@ test("a hinge is dragged along its wall and across it in one step that can be un
 
 test("an edited design has no distance from a goal", async () => {
   await page.select("#colour", "distance");
-  assert.match(await text("status"), /known of what a search/);
+  assert.match(await text("status"), /known after a search/);
   await page.select("#colour", "plain");
 });
 

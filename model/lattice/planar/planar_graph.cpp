@@ -179,6 +179,9 @@ void check_pair(const PlanarGraph& graph, int first, int second, double near) {
       throw InvalidInput(name(graph, end) + " lies on " + name_of_edge(graph, second) +
                          ". Split that wall there");
   if (share_an_end(a, b)) return;
+  // The signs below are rounding noise for walls on one line.
+  Eigen::AlignedBox2d around(p), other(r);
+  if (!around.extend(q).intersects(other.extend(s))) return;
   const bool apart = (cross(q - p, r - p) > 0) == (cross(q - p, s - p) > 0) ||
                      (cross(s - r, p - r) > 0) == (cross(s - r, q - r) > 0);
   if (!apart)

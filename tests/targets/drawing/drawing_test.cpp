@@ -145,7 +145,7 @@ TEST(ReadDrawing, NamesTheUnitThatItAssumes) {
   const DrawnWalls svg =
       examine("panel.svg", "<svg width='100%' viewBox='0 0 96 96'><path d='M0 0H96V96'/></svg>");
   EXPECT_THAT(svg.unit, HasSubstr("1 unit = 0.2646 mm (px of 1/96 inch, assumed because"));
-  EXPECT_NEAR(svg.graph.vertices[1].x(), 25.4, 1e-9);
+  EXPECT_NEAR(svg.graph.vertices[2].x(), 25.4, 1e-9);
 }
 
 TEST(ReadDrawing, TakesUnitAndScaleOfTheDocument) {

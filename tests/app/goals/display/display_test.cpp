@@ -260,7 +260,7 @@ TEST(Display, IsStrainedOnPurposeOnlyWithinItsLimits) {
   EXPECT_LE(result["display"]["loads"]["force_N"], 2);
   EXPECT_GT(result["display"]["unlimited"]["force_N"], 2);
   EXPECT_EQ(result["display"]["scaled"]["strained"], false);
-  EXPECT_THAT(result["optimiser"]["why"].get<std::string>(), HasSubstr("it would not keep its limits"));
+  EXPECT_THAT(result["optimiser"]["why"].get<std::string>(), HasSubstr("it would exceed its limits"));
 }
 
 TEST(Display, StretchIsThatOfTheStateThatIsShown) {

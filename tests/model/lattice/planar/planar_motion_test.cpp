@@ -126,7 +126,7 @@ TEST(PlanarMotion, NamesAFaceThatDoesNotClose) {
   EXPECT_FALSE(motion);
   EXPECT_THAT(motion.why, ::testing::HasSubstr("does not close: it is off by 0.2 cell edges"));
   s.hinges[4] = {.beta = 0.1};
-  EXPECT_THAT(exact_motion(s).why, ::testing::HasSubstr("does not stand upright"));
+  EXPECT_THAT(exact_motion(s).why, ::testing::HasSubstr("leans, and upright hinges join both sides of it"));
 }
 
 // A square panel has one degree of freedom, whatever its offsets; a plain honeycomb has 4 n - 1.
