@@ -177,7 +177,7 @@ std::string describe_cuts(const targets::CutSheet& sheet, double kerf_mm) {
   if (bridges > 0)
     out += fmt::format(", {} bridges {:.3g} to {:.3g} mm wide after the cut", bridges, least, most);
   if (creases > 0) out += fmt::format(", {} creases", creases);
-  if (sheet.loose > 0) out += fmt::format("; {} loose pieces are left out", sheet.loose);
+  if (sheet.loose > 0) out += fmt::format("; {} loose pieces are not part of it", sheet.loose);
   if (!sheet.is_outlined) out += "; no line encloses all others, so a rectangle is the outline";
   return out;
 }

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Cuts a polygon with holes into triangles: each hole is joined to the outline by a line traversed in both directions,
-/// and then corners are cut off one after the other.
+/// Cuts a polygon with holes into triangles. Each hole is joined to the outline by a line traversed in both directions.
+/// Then corners are cut off one after the other.
 class PolygonCutter {
  public:
   explicit PolygonCutter(const std::vector<FlatRing>& rings) {
@@ -86,9 +86,9 @@ class PolygonCutter {
     loop_.insert(loop_.begin() + static_cast<std::ptrdiff_t>(to) + 1, way.begin(), way.end());
   }
 
-  /// Returns the position in the loop of a corner that p sees. The ray from p along x meets an edge, and the triangle
-  /// of p, that point and the edge's right end holds no corner, or the one with the least slope from p is visible (D.
-  /// Eberly, Triangulation by Ear Clipping).
+  /// Returns the position in the loop of a corner that p sees (D. Eberly, Triangulation by Ear Clipping). The ray from
+  /// p along x meets an edge. If no corner is in the triangle of p, that point and the edge's right end, that end is
+  /// visible. Otherwise the corner with the least slope from p is.
   std::size_t visible_corner(const Vector2d& p) const {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t edge = 0;

@@ -17,7 +17,8 @@ inline constexpr double most_moved = 0.03;
 /// the last digit. The conditions are local, with sectors a, b, c, d about an inner vertex. r is its fold_ratio(a, b).
 ///
 ///     a + c = pi
-///     r(i, j) r(i + 1, j + 1) = r(i + 1, j) r(i, j + 1)
+///
+///     r(i, j) r(i + 1, j + 1) = r(i + 1, j) r(i, j + 1).
 ///
 /// @param mesh with the signs of all creases in `rising` and `level`   @param name of vertices in messages
 /// @throws InvalidInput, naming a vertex, if a vertex would move by more than `most_moved`
