@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/lattice/origami/quad_mesh.hpp"
 #include "targets/drawing/drawing.hpp"
 
 namespace kinetix::app {
@@ -51,5 +52,16 @@ struct CreasePattern {
 /// @throws InvalidInput for creases that are both mountain and valley, or end inside a face. Patterns in several pieces
 /// also throw.
 CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide = false);
+
+/// A pattern of quadrilaterals in columns and rows.
+struct QuadGrid {
+  model::QuadMesh mesh;        ///< `rising` and `level`: 1 for valleys, -1 for mountains, 0 if not known
+  std::vector<int> vertex_of;  ///< vertex of the pattern for each vertex of the mesh
+};
+
+/// Finds the columns and rows of a pattern, from one of its corners.
+/// @throws InvalidInput for a pattern with other faces, with other than four creases at an inner vertex, or without
+/// columns and rows. The message counts what does not fit in the whole pattern.
+QuadGrid find_quad_grid(const CreasePattern& pattern);
 
 }  // namespace kinetix::app

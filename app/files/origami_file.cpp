@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-#include "app/files/quad_grid.hpp"
-#include "model/lattice/origami/mend_mesh.hpp"
+#include "app/files/crease_pattern.hpp"
+#include "model/lattice/origami/crease_signs.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 

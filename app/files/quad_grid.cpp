@@ -1,4 +1,4 @@
-#include "app/files/quad_grid.hpp"
+#include "app/files/crease_pattern.hpp"
 
 #include <fmt/format.h>
 #include <map>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "model/assembly/round_regions.hpp"
+#include "model/assembly/cylinder_faces.hpp"
 #include "model/base/decompositions.hpp"
 
 namespace kinetix::model {

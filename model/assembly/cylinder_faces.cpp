@@ -4,7 +4,6 @@
 #include <limits>
 #include <set>
 
-#include "model/assembly/round_regions.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/geometry.hpp"
 

@@ -1,4 +1,4 @@
-#include "model/assembly/round_regions.hpp"
+#include "model/assembly/cylinder_faces.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include "model/base/algorithms.hpp"
 #include "model/base/geometry.hpp"
 #include "targets/drawing/join_lines.hpp"
-#include "targets/drawing/sheet_bridges.hpp"
 
 namespace kinetix::targets {
 namespace {

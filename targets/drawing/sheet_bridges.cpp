@@ -1,4 +1,4 @@
-#include "targets/drawing/sheet_bridges.hpp"
+#include "targets/drawing/cut_sheet.hpp"
 
 #include <boost/geometry/algorithms/comparable_distance.hpp>
 #include <boost/geometry/algorithms/distance.hpp>

@@ -1,4 +1,4 @@
-#include "targets/mesh/off_mesh.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"

@@ -1,4 +1,4 @@
-#include "targets/mesh/ply_mesh.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "app/goals/outline/outline_layout.hpp"
+#include "app/goals/outline/outline_search.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "app/goals/outline/outline_search.hpp"
 
 #include "model/base/parallel_runs.hpp"
-#include "optim/outline/refined_shape.hpp"
+#include "optim/outline/outline_problem.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "model/lattice/origami/mend_mesh.hpp"
+#include "model/lattice/origami/crease_signs.hpp"
 
 #include <Eigen/SparseCore>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include "kinetix/kinetix.hpp"
 #include "optim/outline/fit_outline.hpp"
-#include "optim/outline/refined_shape.hpp"
+#include "optim/outline/outline_problem.hpp"
 
 namespace kinetix::optim {
 namespace {

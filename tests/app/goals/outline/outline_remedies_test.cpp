@@ -1,4 +1,4 @@
-#include "app/goals/outline/outline_remedies.hpp"
+#include "app/goals/outline/outline_search.hpp"
 
 #include <gmock/gmock.h>
 #include <cmath>
