@@ -12,7 +12,6 @@
 #include "app/files/lattice_section.hpp"
 #include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/pictures/drawing_picture.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/closed_form.hpp"
 #include "app/result/motion_evidence.hpp"

@@ -10,8 +10,7 @@
 #include "model/base/algorithms.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 namespace kinetix::app {
 namespace {

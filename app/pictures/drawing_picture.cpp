@@ -1,4 +1,4 @@
-#include "app/pictures/drawing_picture.hpp"
+#include "app/pictures/panel_picture.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

@@ -9,7 +9,6 @@
 #include "app/pipeline/drive_loads.hpp"
 #include "app/print/fit.hpp"
 #include "app/print/folding_card.hpp"
-#include "app/print/format/print_format.hpp"
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/print_sheet.hpp"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include "model/assembly/cylinder_faces.hpp"
 #include "model/base/decompositions.hpp"
 
 namespace kinetix::model {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "targets/curve/point_files.hpp"
 #include "targets/document/length_unit.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

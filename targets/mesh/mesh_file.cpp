@@ -10,8 +10,6 @@
 #include "targets/document/number.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/assimp_module.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
 #include "targets/mesh/mesh_formats.hpp"
 
 namespace kinetix::targets {

@@ -2,7 +2,6 @@
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
 
 namespace kinetix::targets {
 namespace {

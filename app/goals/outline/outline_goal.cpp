@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/console/short_form.hpp"
-#include "app/goals/outline/outline_search.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
