@@ -40,6 +40,7 @@ struct CheckedFile {
   double samples = 0;                          ///< number of samples of a sweep
   std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
   std::optional<CheckedDrawing> drawing = {};  ///< only for sheets that are drawn
+  std::string cuts = {};                       ///< pieces and bridges of a sheet with cuts; empty for others
 
   std::string text() const;  ///< long form
   ShortForm short_form() const;

@@ -167,10 +167,9 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
 }
 
 void add_import(CLI::App& app, CommandOptions& options, ImportRequest& request) {
-  app.add_option(
-         "MODEL", request.model,
-         "a 3MF, STEP, GLB, OBJ, OFF, PLY or STL file with hard and soft parts, or a folder of tiles with "
-         "vertices.txt and constraints.txt")
+  app.add_option("MODEL", request.model,
+                 "a 3MF, STEP, GLB, OBJ, OFF, PLY or STL file with hard and soft parts. Tiles: a folder with "
+                 "vertices.txt and constraints.txt, or an OBJ file")
       ->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for design.yaml and its part files (default: results/NAME)");
@@ -183,8 +182,8 @@ void add_import(CLI::App& app, CommandOptions& options, ImportRequest& request) 
       ->type_name("UNIT");
   app.add_option(
          "--soft-material", request.soft_material,
-         "name of the material, colour or part that is soft (default: recognised by words such as soft, "
-         "tpu, tango)")
+         "name of the material, colour or part that is soft, or none (default: recognised by words such as "
+         "soft, tpu, tango)")
       ->type_name("NAME");
   app.add_option("--material", request.material,
                  "tango (default), tpu95a, pp, pa12, acrylic or steel: material of the soft parts, for their "

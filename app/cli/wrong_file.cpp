@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/files/crease_pattern.hpp"
 #include "app/goals/registry.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -28,6 +30,7 @@ struct FileUse {
 constexpr std::string_view picture_endings[] = {".png", ".jpg", ".jpeg", ".pbm", ".pgm"};
 constexpr std::string_view mesh_endings[] = {".obj", ".off", ".stl", ".ply"};
 constexpr std::string_view drawing_endings[] = {".svg", ".dxf"};
+constexpr std::string_view pattern_endings[] = {".fold", ".cp"};
 constexpr std::string_view model_endings[] = {".3mf", ".step", ".stp", ".glb"};
 constexpr std::string_view unread_pictures[] = {".gif", ".bmp", ".tif", ".tiff", ".webp"};
 
@@ -58,19 +61,38 @@ std::string_view form_of_table(const std::string& file) {
   return header.find('y') == std::string::npos ? "x,z" : "x,y";
 }
 
+/// Returns whether a drawing has red and blue lines, and all others in colours of creases.
+bool has_mountains_and_valleys(const std::string& file, const std::string& ending) {
+  if (!is_one_of(ending, drawing_endings)) return false;
+  try {
+    const std::string text = targets::read_bytes(file, targets::max_drawing_bytes);
+    const CreaseLines creases =
+        read_drawn_creases(ending == ".svg" ? targets::parse_svg(text) : targets::parse_dxf(text));
+    const auto has = [&](char letter) {
+      return std::find(creases.letters.begin(), creases.letters.end(), letter) != creases.letters.end();
+    };
+    return has('M') && has('V');
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
 std::optional<FileUse> use_of(const std::string& file, const std::string& ending) {
   if (ending == ".csv") return use_by_goals("a table of points", form_of_table(file));
   if (is_one_of(ending, picture_endings)) return use_by_goals("a picture", "picture");
   if (is_one_of(ending, mesh_endings))
     return use_by_goals("a mesh", "mesh",
                         "If it has hard and soft parts, run `kinetix-opt import` instead. ");
+  if (is_one_of(ending, pattern_endings) || has_mountains_and_valleys(file, ending))
+    return FileUse{"a crease pattern", "structure",
+                   "lattice: graph\n    origami: ", "kinetix-opt simulate --fold-angle-deg 20 ",
+                   is_one_of(ending, drawing_endings)
+                       ? "If its red and blue lines are walls, write `drawing` in place of `origami`. "
+                       : ""};
   if (is_one_of(ending, drawing_endings))
     return FileUse{"a drawing", "structure",
                    "lattice: graph  # its lines are the walls, in mm\n    drawing: ", "kinetix-opt check ",
                    "If it is a picture to show, convert it to PNG. "};
-  if (ending == ".fold")
-    return FileUse{"a crease pattern", "structure",
-                   "lattice: graph\n    origami: ", "kinetix-opt simulate --fold-angle-deg 20 ", ""};
   return std::nullopt;
 }
 

@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "app/cad/cad_formats.hpp"
+#include "app/files/cuts_section.hpp"
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "app/models/model_file.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/shells.hpp"
@@ -20,9 +22,11 @@ constexpr double unit_length = 1e-3;  // deviation of an axis's length from 1: r
 constexpr double square = 1e-2;       // limit of the cosine between an axis and the direction along the part
 constexpr double default_reach = 0.18;  // cell edges, as for hinges of sheets
 /// Kind of a joint as files name it.
-enum class JointChoice { pin, block, ball };
-constexpr targets::Word<JointChoice> joint_choices[] = {
-    {"pin", JointChoice::pin}, {"block", JointChoice::block}, {"ball", JointChoice::ball}};
+enum class JointChoice { pin, block, film, ball };
+constexpr targets::Word<JointChoice> joint_choices[] = {{"pin", JointChoice::pin},
+                                                        {"block", JointChoice::block},
+                                                        {"film", JointChoice::film},
+                                                        {"ball", JointChoice::ball}};
 
 // Degrees of a driven hinge: one angle cannot describe more than half a turn in either direction.
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
@@ -71,7 +75,9 @@ const targets::KeyTable& joint_keys() {
       {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
        "the two bodies that it joins"},
       {"kind", value::choice(joint_choices), targets::by_default("block"),
-       "`block`: a soft part. `pin`: a revolute joint. `ball`: a spherical joint"},
+       "`block`: a soft part. `film`: a living hinge or a bridge. `pin`: a revolute joint. `ball`: a "
+       "spherical "
+       "joint"},
       {"point_mm", vector_mm(), targets::needed, "point on the axis, at rest"},
       {"axis", direction(), targets::needed, "direction of the axis, of length 1, at rest"},
       {"along", direction(), targets::otherwise("square to the axis, from body to body"),
@@ -161,7 +167,7 @@ model::Polyhedron read_shell(const targets::Node& node) {
 
 class BodiesReader {
  public:
-  explicit BodiesReader(const targets::Section& structure) : structure_(structure) {}
+  explicit BodiesReader(targets::Section structure) : structure_(std::move(structure)) {}
 
   model::Assembly read() {
     for (const targets::Node& node :
@@ -175,13 +181,6 @@ class BodiesReader {
     for (model::AssemblyHinge& h : out_.hinges)
       if (h.reach_mm == 0) h.reach_mm = default_reach * out_.edge_mm;
     return std::move(out_);
-  }
-
-  int hinge_of(const targets::Node& node) const {
-    const std::string name = node.text("name of a hinge");
-    for (std::size_t h = 0; h < out_hinges_.size(); ++h)
-      if (out_hinges_[h] == name) return static_cast<int>(h);
-    throw node.error("the file has no such hinge. Give the name of a hinge");
   }
 
  private:
@@ -219,7 +218,9 @@ class BodiesReader {
     if (hinge.lower == hinge.upper) throw bodies.error("the hinge joins a body with itself. Give two bodies");
     JointChoice kind = JointChoice::block;
     section.read("kind", kind, joint_choices);
-    hinge.kind = kind == JointChoice::block ? model::HingeKind::block : model::HingeKind::pin;
+    hinge.kind = kind == JointChoice::block  ? model::HingeKind::block
+                 : kind == JointChoice::film ? model::HingeKind::film
+                                             : model::HingeKind::pin;
     hinge.ball = kind == JointChoice::ball;
     hinge.point =
         read_vector(section.required("point_mm", "a point on its axis, mm"), "a point [x, y, z], mm");
@@ -256,7 +257,7 @@ class BodiesReader {
                                    hinge.axis);
   }
 
-  const targets::Section& structure_;
+  const targets::Section structure_;
   model::Assembly out_;
   std::map<std::string, int> body_of_;
   std::vector<std::string> out_hinges_;
@@ -325,8 +326,15 @@ model::State read_poses(const targets::Node& node, std::size_t bodies) {
   return out;
 }
 
-/// Reads the drive of a design of imported bodies.
-void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader, Design& design) {
+int find_joint(const model::Assembly& bodies, const targets::Node& node) {
+  const std::string name = node.text("name of a hinge");
+  for (std::size_t h = 0; h < bodies.hinges.size(); ++h)
+    if (bodies.hinges[h].name == name) return static_cast<int>(h);
+  throw node.error("the file has no such hinge. Give the name of a hinge");
+}
+
+/// Reads the drive of a design of bodies.
+void read_bodies_drive(const targets::Section& drive, Design& design) {
   const auto poses = drive.optional("poses"), expand = drive.optional("expand");
   if (poses && expand) throw expand->error("cannot be combined with `poses`. Remove one of the two keys");
   for (const char* key : {"hinge", "angle_deg"})
@@ -343,7 +351,7 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
   }
   model::HingeTurn turn{-1, 0};
   if (const auto hinge = drive.optional("hinge")) {
-    turn.hinge = reader.hinge_of(*hinge);
+    turn.hinge = find_joint(*design.structure.assembly(), *hinge);
     if (design.structure.assembly()->hinges[turn.hinge].ball)
       throw hinge->error("a ball has no axis of rotation. Give another hinge");
   }
@@ -359,8 +367,13 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
 
 const targets::KeyTable& bodies_keys() {
   static const targets::KeyTable keys = file_keys({
-      {"structure", value::map(bodies_structure_keys()), targets::needed, "its bodies and hinges, at rest"},
-      {"drive", value::map(turn_keys()), {}, "actuation. Without it the structure stays at rest"},
+      {"structure", value::either({value::map(bodies_structure_keys()), value::map(cuts_keys())}),
+       targets::needed, "its bodies and hinges at rest, or a sheet with cuts"},
+      {"drive",
+       value::map(turn_keys()),
+       {},
+       "actuation. Without it bodies stay at rest, and the pieces of a sheet with cuts are pulled apart"},
+      design_process_key(),
       {"tolerance", value::map(tolerance_keys()), {}, "limits for a met goal"},
   });
   return keys;
@@ -369,18 +382,23 @@ const targets::KeyTable& bodies_keys() {
 bool lists_bodies(const targets::Node& root) {
   if (root.kind() != targets::Node::Kind::map) return false;
   const auto structure = root.optional("structure");
-  return structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies");
+  return structure && structure->kind() == targets::Node::Kind::map &&
+         (structure->optional("bodies") || structure->optional("cuts"));
 }
 
 Design read_bodies(const targets::Node& node) {
   const targets::Section root(node, bodies_keys());
   check_version(root);
   Design design{.name = read_name(root), .structure = {}};
-  const targets::Section structure = root.section("structure");
-  BodiesReader reader(structure);
-  design.structure = model::Lattice(reader.read());
-  if (const targets::Section drive = root.section("drive"); drive.given())
-    read_bodies_drive(drive, reader, design);
+  const targets::Node structure = root.required("structure", "a section");
+  if (structure.optional("bodies")) {
+    design.process = read_process(root);
+    design.structure =
+        model::Lattice(BodiesReader(targets::Section(structure, bodies_structure_keys())).read());
+  } else {
+    read_cuts(root, design);
+  }
+  if (const targets::Section drive = root.section("drive"); drive.given()) read_bodies_drive(drive, design);
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
     auto* pull = design.drive ? std::get_if<model::BodyPull>(&*design.drive) : nullptr;
     if (const auto given = tolerance.optional("pull"); given && !(pull && pull->poses))
@@ -391,15 +409,26 @@ Design read_bodies(const targets::Node& node) {
   return design;
 }
 
-std::string bodies_text(const Design& design) {
-  const model::Assembly& a = *design.structure.assembly();
-  std::string out = fmt::format("kinetix: 1\nname: {}\nstructure:\n  cell_mm: {}\n  bodies:\n", design.name,
-                                targets::shortest_text(a.edge_mm));
+namespace {
+
+std::string listed_bodies_text(const model::Assembly& a) {
+  std::string out = fmt::format("structure:\n  cell_mm: {}\n  bodies:\n", targets::shortest_text(a.edge_mm));
   for (const model::AssemblyBody& b : a.bodies)
     out += fmt::format("    - {{name: {}, file: parts/{}.stl, position_mm: {}}}\n", b.name, b.name,
                        vector_text(b.position));
   out += "  hinges:\n";
   for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
+  return out;
+}
+
+}  // namespace
+
+std::string bodies_text(const Design& design) {
+  const model::Assembly& a = *design.structure.assembly();
+  std::string out = fmt::format("kinetix: 1\nname: {}\n", design.name) +
+                    (design.cuts ? cuts_text(design) : listed_bodies_text(a));
+  if (!design.cuts && design.process != model::processes().front())
+    out += "process: " + process_text(design.process) + "\n";
   if (const model::BodyPull* pull = body_pull_of(design)) {
     if (!pull->poses)
       return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*pull->expand));
@@ -417,6 +446,10 @@ std::vector<NamedContent> design_files(const Design& design) {
   std::vector<NamedContent> out{{"design.yaml", design_text(design)}};
   const model::Assembly* a = design.structure.assembly();
   if (!a) return out;
+  if (design.cuts) {
+    out.push_back(cuts_file(design));
+    return out;
+  }
   for (const model::AssemblyBody& b : a->bodies)
     out.push_back({"parts/" + b.name + ".stl", stl_text(b.name, b.solid)});
   for (const model::AssemblyHinge& h : a->hinges)

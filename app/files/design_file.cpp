@@ -73,8 +73,8 @@ void check_kind_of_file(const targets::Node& root) {
     throw root.error("this file is a target, not a design. Search it first with `kinetix-opt TARGET.yaml`");
 }
 
-model::Lattice read_structure(const targets::Section& root) {
-  return read_sheet(root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`"));
+model::Lattice read_structure(const targets::Section& root, std::vector<std::string>& notes) {
+  return read_sheet(root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`"), notes);
 }
 
 std::array<double, 4> read_four(const targets::Section& tuple, const char* key,
@@ -291,7 +291,9 @@ Design read_design(const targets::Node& node) {
     return read_design(with_height.root());
   }
   const targets::Section root = read_root(node, design_keys());
-  Design file{.name = read_name(root), .structure = read_structure(root)};
+  std::vector<std::string> notes;
+  Design file{.name = read_name(root), .structure = read_structure(root, notes)};
+  file.notes = std::move(notes);
   read_state(root, file);
   file.hinge_overrides.merge(
       read_hinge_overrides(root, file.structure));  // entries of single walls take precedence

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "app/files/drive_section.hpp"
 #include "app/files/goal_settings.hpp"
 #include "app/files/hinge_section.hpp"
@@ -7,6 +9,10 @@
 #include "model/linkage/state.hpp"
 #include "model/material/process.hpp"
 #include "targets/document/section.hpp"
+
+namespace kinetix::targets {
+struct CutSheet;
+}
 
 namespace kinetix::app {
 
@@ -25,6 +31,9 @@ struct Design {
   HingeSection hinge = {};
   std::map<int, HingeSection> hinge_overrides = {};  ///< per-hinge overrides, by index of the hinge
   PhysicsSection physics = {};
+  /// Cuts from which the bodies follow; null for all other designs
+  std::shared_ptr<const targets::CutSheet> cuts = {};
+  std::vector<std::string> notes = {};  ///< changes to files that it names, one sentence each
 };
 
 /// Returns the hinge sections of a design: the common one if a hinge uses it, then each override.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/files/file_header.hpp"
-#include "app/files/process_section.hpp"
 #include "model/contact/wall_contact.hpp"
 
 namespace kinetix::app {

@@ -10,8 +10,7 @@ namespace {
 
 namespace value = targets::value;
 using Model = HingeSection::Model;
-using model::HingeKind;
-using model::ManufacturedHinge;
+using model::HingeKind, model::ManufacturedHinge;
 
 // Words of the key `model`.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
@@ -468,10 +467,9 @@ std::map<int, HingeSection> read_hinge_overrides(const targets::Section& root, c
 }
 
 void refuse_lines(const targets::Section& root, const std::vector<HingePart>& parts) {
-  const std::vector<targets::Node> all = entries(root);
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (parts[k].place != PartPlace::creases)
-      throw all[k].optional("at")->error(fmt::format(
+      throw entries(root)[k].optional("at")->error(fmt::format(
           "only a design has a known {}. Give `creases` in a target", line_name_of_place(parts[k])));
 }
 

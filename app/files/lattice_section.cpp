@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
+#include "app/files/cuts_section.hpp"
 #include "app/files/drawing_section.hpp"
 #include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_boundary.hpp"
@@ -28,6 +29,7 @@ constexpr int max_cells_in_space = 14;  // per direction: 14^3 cells have some 1
 constexpr double slender = 0.1;         // of an edge: rotors pass each other up to heights of a fifth
 constexpr const char* slender_walls = "for `sodalite` a tenth of `cell_mm`";  // `slender` in words
 constexpr const char* wanted_drawing = "path of a DXF or SVG file";
+constexpr const char* wanted_pattern = "path of a FOLD, SVG, DXF or .cp file";
 constexpr const char* rims[] = {"open", "closed"};
 // Degrees of a rhombus: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
@@ -59,7 +61,7 @@ std::string lattice_meaning() {
   for (const PlanarLattice* lattice : model::planar_lattices())
     text += fmt::format("; `{}`, {}", lattice->name, lattice->meaning);
   return text +
-         "; `graph`, walls of a drawing, of a FOLD file or of a list; `sodalite`, rotors and gussets in "
+         "; `graph`, walls of a drawing, of a crease pattern or of a list; `sodalite`, rotors and gussets in "
          "space";
 }
 
@@ -147,20 +149,21 @@ constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 de
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
   if (!cell_edges.contains(edge_mm))
-    throw InvalidInput(fmt::format(
-        "the frame_unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}", edge_mm,
-        cell_edges.lower, cell_edges.upper));
+    throw InvalidInput(
+        fmt::format("the unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}",
+                    edge_mm, cell_edges.lower, cell_edges.upper));
   return edge_mm;
 }
 
-/// Reads a FOLD file as a sheet whose creases are tilted.
-model::Lattice read_origami(const targets::Section& structure) {
-  const targets::Node path = structure.required("origami", "path of a FOLD file");
-  const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
+/// Reads a crease pattern as a sheet whose creases are tilted.
+model::Lattice read_origami(const targets::Section& structure, std::vector<std::string>& notes) {
+  const targets::Node path = structure.required("origami", wanted_pattern);
+  const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text(wanted_pattern);
   double tilt = default_tilt;
   if (const auto node = structure.optional("tilt_deg")) tilt = node->angle(pattern_tilts);
   const targets::HiddenQuotes hidden(file.string(), path.folder());
   const OrigamiFile pattern = read_origami_file(file.string());
+  notes = pattern.notes;
   const model::QuadMesh mesh = tilted(pattern, tilt);
   double edge_mm = default_cell_mm;
   if (pattern.unit_mm && !structure.optional("cell_mm"))
@@ -304,13 +307,15 @@ const targets::KeyTable& drawn_keys() {
 const targets::KeyTable& origami_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
-      {"origami", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
+      {"origami", value::text("path of a FOLD, SVG, DXF or .cp file, from the folder of the design"),
+       targets::needed,
        "for `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly. "
        "Each quadrilateral gets 2 x 2 bodies, and the tilts of its creases follow from the pattern"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
        "for `origami`: tilt of the hinges of the creases that fold most"},
-      cell_mm_key(
-          targets::otherwise("for `origami` the size of the file if it has a unit (`frame_unit`), else 10")),
+      cell_mm_key(targets::otherwise(
+          "for `origami` the size of the file if it has a unit (`frame_unit`, or a size in mm, "
+          "cm or in), else 10")),
       wall_mm_key(),
   });
   return keys;
@@ -382,22 +387,23 @@ targets::Key lattice_structure_key() {
           "lattice in space"};
 }
 
-model::Lattice read_sheet(const targets::Node& structure) {
+model::Lattice read_sheet(const targets::Node& structure, std::vector<std::string>& notes) {
   const auto lattice = structure.optional("lattice");
   const std::vector<std::string> names = lattice_names();
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
   if (names[choice] == squares) return read_squares(targets::Section(structure, square_keys()));
   if (names[choice] == in_space) return read_block(targets::Section(structure, block_keys()));
   if (names[choice] != by_hand) return read_regular(targets::Section(structure, regular_keys()));
-  if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()));
+  if (structure.optional("origami")) return read_origami(targets::Section(structure, origami_keys()), notes);
   const bool is_drawn = structure.optional("drawing") || !structure.optional("vertices_mm");
   return read_graph(targets::Section(structure, is_drawn ? drawn_keys() : graph_keys()));
 }
 
 std::optional<targets::Section> find_drawn_structure(const targets::Node& root) {
   const auto structure = root.optional("structure");
-  if (!structure || structure->kind() != targets::Node::Kind::map || !structure->optional("drawing"))
-    return std::nullopt;
+  if (!structure || structure->kind() != targets::Node::Kind::map) return std::nullopt;
+  if (structure->optional("cuts")) return targets::Section(structure, cuts_keys());
+  if (!structure->optional("drawing")) return std::nullopt;
   return targets::Section(structure, drawn_keys());
 }
 

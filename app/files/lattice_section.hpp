@@ -8,10 +8,10 @@ namespace kinetix::app {
 /// Returns the key `structure` of a file that may name any lattice.
 targets::Key lattice_structure_key();
 
-/// Reads the flat sheet, all hinges basic.
+/// Reads the flat sheet, all hinges basic. @param notes set to changes to files that it names, one sentence each
 /// @throws InvalidInput for all that formats.md does not allow. Examples: cells that are not connected, a graph with
 /// crossing walls or with a loop of an odd number of them, and a key that the lattice does not take.
-model::Lattice read_sheet(const targets::Node& structure);
+model::Lattice read_sheet(const targets::Node& structure, std::vector<std::string>& notes);
 
 /// Returns the structure of a file whose walls are drawn; empty for other files.
 std::optional<targets::Section> find_drawn_structure(const targets::Node& root);

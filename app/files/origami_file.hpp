@@ -4,28 +4,23 @@
 
 namespace kinetix::app {
 
-/// Crease pattern of a FOLD file (the JSON of Demaine, Ku and Lang, 2016) as a mesh that folds exactly.
+/// Crease pattern of a file as a mesh that folds exactly.
 struct OrigamiFile {
-  model::QuadMesh mesh;        ///< in the file's unit; multipliers of the steepest crease: 1
-  std::vector<int> vertex_of;  ///< number in the file of each vertex of the mesh
+  model::QuadMesh mesh;  ///< in the file's unit; multipliers of the steepest crease: 1
   /// Largest move of a vertex, mean edges. Vertices are moved so that each folds flat to the last digit.
   double moved = 0;
-  std::optional<double> unit_mm = {};  ///< of the file, mm; empty if it names none
+  std::vector<std::string> notes = {};  ///< changes to the content of the file, one sentence each
+  std::optional<double> unit_mm = {};   ///< of the file, mm; empty if it names none
 };
 
-/// Limit of moves of vertices, mean edges. Files with larger moves are rejected; six digits leave less.
-inline constexpr double most_moved = 1e-3;
-
-/// Reads a crease pattern from `vertices_coords`, `faces_vertices`, `edges_vertices` and `edges_assignment` ("M",
-/// "V", "B"). Without `edges_assignment`, the signs of `edges_foldAngle` count. They come from the file itself, or
-/// from the first of its `file_frames` that has faces, in its `frame_unit`. Facets must be quadrilaterals in columns
-/// and rows, at least 2 x 2. Angles of folded frames are not read: the crease pattern gives the folded shape, and the
-/// tilt of the hinges gives how far it folds.
-/// @param text of the file, `file` for messages
-/// @throws InvalidInput for anything else, naming vertex, face or edge by its number in the file (from 0). Examples:
-/// faces that are missing or not quadrilaterals, units that are not a length, and inner vertices of another degree
-/// than four. Other examples: vertices that do not fold flat, and creases with incompatible mountains and valleys or
-/// fold multipliers.
+/// Reads a crease pattern: FOLD, SVG, DXF or `.cp`, by its ending (crease_pattern.hpp). Facets must be quadrilaterals
+/// in columns and rows, at least 2 x 2, after facets were merged across flat creases. Mountains and valleys that are
+/// not given follow from the angles. Fold angles and opacities are not read: the pattern gives the folded shape, and
+/// the tilt of the hinges gives how far it folds.
+/// @param text of the file, `file` for its ending and for messages
+/// @throws InvalidInput for anything else. It names vertices and edges by their numbers in the file (from 0), or by
+/// their place. Examples: patterns that are not such a mesh, in one message about the whole file, and vertices that do
+/// not fold flat within `model::most_moved`.
 OrigamiFile parse_origami(const std::string& text, const std::string& file);
 OrigamiFile read_origami_file(const std::string& file);
 

@@ -1,4 +1,4 @@
-#include "app/formats/key_schema.hpp"
+#include "app/formats/formats_page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,7 @@
 #include "app/goals/registry.hpp"
 
 #include <fmt/format.h>
+#include <array>
 #include <map>
 
 #include "app/files/file_header.hpp"
@@ -90,6 +91,20 @@ void check_robust(const targets::Node& root, const GoalKind& kind) {
                                  kind.name, kinds_with("robust")));
 }
 
+/// Returns the path of a variable with the name that the file has for it, which may be an earlier one.
+std::string path_in_file(const targets::Node& root, const std::string& path) {
+  constexpr std::array<std::array<std::string_view, 2>, 3> earlier = {
+      {{"tilt", "beta"}, {"fold_angle", "theta"}, {"hinge_position", "t"}}};
+  const auto variables = root.optional("variables");
+  if (!variables || variables->kind() != targets::Node::Kind::map) return path;
+  for (const auto& [name, before] : earlier) {
+    const std::string start = fmt::format("variables.{}.", name);
+    if (path.starts_with(start) && variables->optional(std::string(before)))
+      return fmt::format("variables.{}.{}", before, path.substr(start.size()));
+  }
+  return path;
+}
+
 /// File of a target, and keys that are to be other than it has them.
 class ChangedTarget {
  public:
@@ -110,6 +125,18 @@ class ChangedTarget {
   void set_open_height() {
     if (const auto height_mm = open_wall_height_mm(root()))
       changed_.put(targets::parse_path("structure.wall_mm.height"), targets::shortest_text(*height_mm));
+  }
+
+  /// Replaces any values. A key that the file has by its earlier name keeps that name.
+  /// @return the changes: "structure.cells: [60, 1], structure.cell_mm: 8"
+  std::string change(const targets::DocumentChanges& changes) {
+    std::string all;
+    for (const auto& [key, yaml] : changes) {
+      const std::string path = path_in_file(given_, key);
+      changed_.put(targets::parse_path(path), yaml);
+      all += fmt::format("{}{}: {}", all.empty() ? "" : ", ", path, yaml);
+    }
+    return all;
   }
 
   bool changes_given() const { return changes_given_; }
@@ -169,18 +196,23 @@ void resize(const GoalKind& kind, const model::CellSize& before, const model::Ce
       "wall_mm", fmt::format("{{thickness: {}, height: {}}}", text(size.thickness_mm), text(size.height_mm)));
 }
 
-/// Reads a goal that can be read again with other cells.
+/// Reads a goal that can be read again with other cells or other values.
 std::unique_ptr<Goal> read_resizable(const GoalKind& kind, const ChangedTarget& target) {
   std::unique_ptr<Goal> goal = kind.read(target.root());
   goal->resize = [&kind, target](const model::CellSize& before,
-                                 const model::CellSize& size) -> std::optional<Goal::Resized> {
+                                 const model::CellSize& size) -> std::optional<Goal::Changed> {
     try {
       ChangedTarget next = target;
       resize(kind, before, size, next);
-      return Goal::Resized{read_resizable(kind, next), next.keys(), next.changes_given()};
+      return Goal::Changed{read_resizable(kind, next), next.keys(), next.changes_given()};
     } catch (const InvalidInput&) {
       return std::nullopt;  // the goal allows no such cells
     }
+  };
+  goal->change = [&kind, target](const targets::DocumentChanges& changes) {
+    ChangedTarget next = target;
+    const std::string keys = next.change(changes);
+    return Goal::Changed{read_resizable(kind, next), keys};
   };
   return goal;
 }

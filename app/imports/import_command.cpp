@@ -62,13 +62,25 @@ constexpr double smallest = 1e-4;
 constexpr double min_turn = 2 * radians_per_degree;  // rad: a smaller turn is only clearance
 constexpr double max_strain = 1e-3;  // rad and cell edges per rad: faster opening is not a motion
 
-/// Turns the hinge that turns most in the first motion by up to 60 degrees. All hinges count as rigid revolute joints.
+std::size_t balls_of(const model::Assembly& assembly) {
+  return static_cast<std::size_t>(
+      std::count_if(assembly.hinges.begin(), assembly.hinges.end(), [](const auto& h) { return h.ball; }));
+}
+
+/// Turns the hinge that turns most in the first motion by up to 60 degrees. All hinges count as rigid revolute joints or
+/// balls.
 AssemblyMobility examine(const model::Assembly& assembly) {
   const model::Linkage linkage = linkage_of(assembly);
   AssemblyMobility out;
-  const int hinges = static_cast<int>(linkage.hinges.size());
-  out.gruebler = model::gruebler_spatial(static_cast<int>(linkage.bodies.size()), hinges, hinges);
+  const int hinges = static_cast<int>(linkage.hinges.size()), balls = static_cast<int>(balls_of(assembly));
+  out.gruebler = model::gruebler_spatial(static_cast<int>(linkage.bodies.size()), hinges, hinges + 2 * balls);
   out.at_rest = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), smallest);
+  if (balls == hinges) {
+    out.why = out.at_rest
+                  ? fmt::format("{} first-order motions at rest; balls have no axis to turn", *out.at_rest)
+                  : "balls have no axis to turn";
+    return out;
+  }
   const model::FirstMotion first = first_motion(linkage);
   if ((out.at_rest && *out.at_rest <= 0) || first.fastest < 0 || first.strain > max_strain) {
     if (out.at_rest && *out.at_rest <= 0) out.broken = first_rigid_hinge(linkage, smallest);
@@ -121,7 +133,7 @@ void refuse_options_of_models(const ImportRequest& r) {
     if (!value->empty())
       throw InvalidInput(
           fmt::format("{} only applies to models with hard and soft parts. Use --tile-mm, --thickness-mm and "
-                      "--kerf-mm for a folder of tiles",
+                      "--kerf-mm for tiles",
                       name));
 }
 
@@ -171,19 +183,13 @@ TileImport import_of_tiles(const model::TileSheet& sheet, const ImportRequest& r
   return out;
 }
 
-TileImport located_import(const ImportRequest& request) {
-  const model::TileSheet sheet = read_tiles(request.model);
+TileImport located_import(const ImportRequest& request, const model::TileSheet& sheet) {
   try {
     return import_of_tiles(sheet, request);
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty() || e.reason().starts_with("--")) throw;
     throw InvalidInput(e.reason(), {request.model});
   }
-}
-
-std::size_t balls_of(const model::Assembly& assembly) {
-  return static_cast<std::size_t>(
-      std::count_if(assembly.hinges.begin(), assembly.hinges.end(), [](const auto& h) { return h.ball; }));
 }
 
 ShortForm tiles_form(const TileImport& import) {
@@ -221,14 +227,18 @@ nlohmann::ordered_json tiles_json(const TileImport& import) {
   return out;
 }
 
-/// Imports a folder of tiles as a design of prisms and their joints. The drive pulls them to the target, or apart if
+/// Reads a folder of tiles, or an OBJ file of faces that share vertices alone; empty for other models.
+std::optional<model::TileSheet> read_sheet(const ImportRequest& request) {
+  if (is_tile_folder(request.model)) return read_tiles(request.model);
+  return request.model.empty() ? std::nullopt : read_tiles_of_obj(request.model);
+}
+
+/// Imports tiles as a design of prisms and their joints. The drive pulls them to the target, or apart if
 /// there is none.
 /// @return the exit code.   @throws InvalidInput for invalid files, tiles and joints, and for options of other models
-int import_tiles(const CommandOptions& options, const ImportRequest& request) {
+int import_tiles(const CommandOptions& options, const ImportRequest& request, const model::TileSheet& sheet) {
   refuse_options_of_models(request);
-  Console console(options.quiet, false);
-  console.stage("reading tiles", -1);
-  const TileImport import = located_import(request);
+  const TileImport import = located_import(request, sheet);
   write_import(options, import.design, tiles_json(import), tiles_form(import));
   return done;
 }
@@ -264,9 +274,12 @@ model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& ch
   try {
     return make_assembly(parts.parts, choices);
   } catch (const model::NoHinges& e) {
-    throw InvalidInput(e.reason() + if_films, {parts.source});
+    throw InvalidInput(parts.unclear.empty() ? e.reason() + if_films : parts.unclear, {parts.source});
   } catch (const InvalidInput& e) {
-    throw InvalidInput(e.reason(), {parts.source});
+    throw InvalidInput(
+        e.reason() +
+            (parts.unclear.empty() ? "" : ". Name a soft material with --soft-material, if there is one"),
+        {parts.source});
   }
 }
 
@@ -291,13 +304,14 @@ void tidy_up(model::Assembly& assembly) {
 std::string hinges_text(const model::Assembly& assembly) {
   const auto pins =
       std::count_if(assembly.hinges.begin(), assembly.hinges.end(),
-                    [](const model::AssemblyHinge& h) { return h.kind == model::HingeKind::pin; });
+                    [](const model::AssemblyHinge& h) { return h.kind == model::HingeKind::pin && !h.ball; });
+  const std::size_t balls = balls_of(assembly);
   const auto least =
       std::min_element(assembly.hinges.begin(), assembly.hinges.end(),
                        [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
-  return fmt::format("{}: {} soft, {} pins; least certain `{}`, confidence {:.2f}", assembly.hinges.size(),
-                     assembly.hinges.size() - static_cast<std::size_t>(pins), pins, least->name,
-                     least->confidence);
+  return fmt::format("{}: {} soft, {} pins{}; least certain `{}`, confidence {:.2f}", assembly.hinges.size(),
+                     assembly.hinges.size() - static_cast<std::size_t>(pins) - balls, pins,
+                     balls == 0 ? "" : fmt::format(", {} balls", balls), least->name, least->confidence);
 }
 
 ShortForm import_form(const ModelParts& parts, const Design& design, const AssemblyMobility& mobility) {
@@ -318,7 +332,7 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const Design& desig
   for (const model::AssemblyHinge& h : a.hinges)
     hinges.push_back({{"name", h.name},
                       {"bodies", {a.bodies[h.lower].name, a.bodies[h.upper].name}},
-                      {"kind", to_string(h.kind)},
+                      {"kind", h.ball ? "ball" : to_string(h.kind)},
                       {"point_mm", {h.point.x(), h.point.y(), h.point.z()}},
                       {"axis", {h.axis.x(), h.axis.y(), h.axis.z()}},
                       {"confidence", h.confidence}});
@@ -336,15 +350,18 @@ void refuse_options_of_tiles(const ImportRequest& r) {
         std::pair("--kerf-mm", r.kerf_mm)})
     if (value)
       throw InvalidInput(fmt::format(
-          "{} only applies to a folder of tiles, with vertices.txt and constraints.txt. Remove it", name));
+          "{} only applies to tiles: a folder with vertices.txt and constraints.txt, or an OBJ file of faces "
+          "that share vertices alone. Remove it",
+          name));
 }
 
 }  // namespace
 
 int import_command(const CommandOptions& options, const ImportRequest& request) {
-  if (is_tile_folder(request.model)) return import_tiles(options, request);
-  refuse_options_of_tiles(request);
   Console console(options.quiet, false);
+  console.stage("reading tiles", -1);
+  if (const auto sheet = read_sheet(request)) return import_tiles(options, request, *sheet);
+  refuse_options_of_tiles(request);
   const model::HingeChoices choices = choices_of(request);
   console.stage("reading parts", -1);
   const ModelParts parts = read_model_parts(request);

@@ -11,11 +11,12 @@ namespace kinetix::app {
 /// Options of `kinetix-opt import`, except those of all commands.
 struct ImportRequest {
   std::string model;  ///< one file with hard and soft parts, or a folder of tiles; empty: `hard` and `soft`
-  std::string hard, soft;     ///< one file of each; soft may be empty if all hinges are pins
-  std::string unit;           ///< mm, cm, m, in or ft; empty: the file's, else inferred from the size
-  std::string soft_material;  ///< name of the soft material, colour or object; empty: recognised by words
-  std::string material;       ///< of soft parts, one of model::materials(); empty: tango
-  std::string hinges;         ///< side file that sets ambiguous axes; empty: none
+  std::string hard, soft;  ///< one file of each; soft may be empty if all hinges are pins
+  std::string unit;        ///< mm, cm, m, in or ft; empty: the file's, else inferred from the size
+  std::string
+      soft_material;  ///< name of the soft material, colour or object; empty: recognised by words; none: all are hard
+  std::string material;                     ///< of soft parts, one of model::materials(); empty: tango
+  std::string hinges;                       ///< side file that sets ambiguous axes; empty: none
   std::optional<double> tile_mm = {};       ///< median edge of tiles, mm, > 0; empty: 20 mm
   std::optional<double> thickness_mm = {};  ///< of tiles, mm, > 0; empty: a twentieth of the median edge
   std::optional<double> kerf_mm = {};       ///< width of cuts, mm, >= 0; empty: 0.03 of the median edge

@@ -7,6 +7,7 @@
 #include "app/files/file_header.hpp"
 #include "app/models/model_file.hpp"
 #include "model/assembly/shells.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/box.hpp"
 #include "targets/document/wording.hpp"
 
@@ -100,28 +101,34 @@ class Softness {
     by_material_ = std::any_of(materials_.begin(), materials_.end(), is_soft_name);
     const bool any =
         std::any_of(file.meshes.begin(), file.meshes.end(), [&](const FoundMesh& m) { return is_soft(m); });
-    if (any) return;
+    if (any || is_none()) return;
     if (!requested_.empty())
       throw InvalidInput("--soft-material: no material, colour or part has the name " +
                              targets::in_ticks(request.soft_material) + found(),
                          {file.file});
     if (materials_.size() > 1)
-      throw InvalidInput("the soft material is not clear" + found() + ". Name it with --soft-material",
-                         {file.file});
+      unclear_ = "the soft material is not clear" + found() + ". Name it with --soft-material";
   }
 
   bool is_soft(const FoundMesh& mesh) const {
+    if (is_none()) return false;
     if (!requested_.empty()) return is_called(mesh, requested_);
     return is_soft_name(by_material_ ? mesh.material : mesh.name);
   }
 
   std::string words() const {
-    return !requested_.empty() ? "as asked"
-           : by_material_      ? "by the names of materials"
-                               : "by the names of parts";
+    return is_none()             ? "none, as asked"
+           : !unclear_.empty()   ? "none of the materials; --soft-material names one that is"
+           : !requested_.empty() ? "as asked"
+           : by_material_        ? "by the names of materials"
+                                 : "by the names of parts";
   }
 
+  const std::string& unclear() const { return unclear_; }
+
  private:
+  bool is_none() const { return requested_ == "none"; }
+
   std::string found() const {
     std::string names;
     for (const std::string& m : materials_)
@@ -129,7 +136,7 @@ class Softness {
     return names;
   }
 
-  std::string requested_;
+  std::string requested_, unclear_;
   std::set<std::string> materials_;
   bool by_material_ = false;
 };
@@ -175,6 +182,33 @@ std::vector<model::Polyhedron> shells_of(const model::Polyhedron& soup) {
   const double near = weld_share * model::box_of(soup.points).sizes().maxCoeff();
   std::vector<model::Polyhedron> nearly = shells(model::welded(soup, near));
   return closes(nearly) ? nearly : exact;
+}
+
+/// Joins the meshes of each object of a file whose materials are open shells: colours of a surface are no parts. The
+/// joined mesh has the material with the most triangles.
+void join_open_meshes(std::vector<FoundMesh>& meshes) {
+  std::map<int, std::vector<std::size_t>> objects;
+  for (std::size_t k = 0; k < meshes.size(); ++k)
+    if (meshes[k].object > 0) objects[meshes[k].object].push_back(k);
+  for (const auto& [object, all] : objects) {
+    const auto is_open = [&](std::size_t k) { return !closes(shells_of(meshes[k].soup)); };
+    if (all.size() < 2 || std::none_of(all.begin(), all.end(), is_open)) continue;
+    const std::size_t largest = *std::max_element(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
+      return meshes[a].soup.triangles.size() < meshes[b].soup.triangles.size();
+    });
+    FoundMesh joined{meshes[all.front()].name, meshes[largest].material, {}, object};
+    for (const std::size_t k : all) {
+      const int first = static_cast<int>(joined.soup.points.size());
+      model::append(meshes[k].soup.points, joined.soup.points);
+      for (std::array<int, 3> t : meshes[k].soup.triangles) {
+        for (int& corner : t) corner += first;
+        joined.soup.triangles.push_back(t);
+      }
+      meshes[k].soup = {};
+    }
+    meshes[all.front()] = std::move(joined);
+  }
+  std::erase_if(meshes, [](const FoundMesh& mesh) { return mesh.soup.triangles.empty(); });
 }
 
 void add_parts(const FoundMesh& mesh, bool soft, Names& names, ModelParts& out) {
@@ -266,6 +300,7 @@ ModelParts read_model_parts(const ImportRequest& request) {
     out.source = request.model;
   }
   out.unit = to_mm(request.unit, files);
+  for (ModelFile& file : files) join_open_meshes(file.meshes);
   Names names;
   for (std::size_t k = 0; k < files.size(); ++k) {
     if (pair) {
@@ -274,6 +309,7 @@ ModelParts read_model_parts(const ImportRequest& request) {
     }
     const Softness softness(request, files[k]);
     out.softness = softness.words();
+    out.unclear = softness.unclear();
     for (const FoundMesh& mesh : files[k].meshes) add_parts(mesh, softness.is_soft(mesh), names, out);
   }
   refuse_repeated_parts(out.parts, files.back().file);

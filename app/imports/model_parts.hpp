@@ -11,12 +11,14 @@ struct ModelParts {
   std::vector<model::ModelPart> parts;  ///< names of letters, digits, `_`, `-` and `.`, each once
   std::string unit;                     ///< in words: "millimetres, as the file says"
   std::string softness;                 ///< in words: how soft parts were recognised
-  std::string source;                   ///< the files
+  /// Fault of a file of several materials, none of which is known to be soft; empty: none. Its parts are hard, so it is
+  /// a fault only if there are no pins.
+  std::string unclear = {};
+  std::string source;  ///< the files
 };
 
 /// Reads the files of a request, scales them to mm, splits their meshes into parts and decides which are soft.
-/// @throws InvalidInput for unreadable files, unknown units, unknown soft materials and repeated parts. Also if none
-/// of several materials is known to be soft
+/// @throws InvalidInput for unreadable files, unknown units, unknown soft materials and repeated parts.
 ModelParts read_model_parts(const ImportRequest& request);
 
 /// Returns the keys of an import's side file.

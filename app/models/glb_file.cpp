@@ -238,9 +238,11 @@ class GlbModel {
       damaged("its nodes are too many, or in one another, over 256 deep");
     const PlainJson& node = *entry("nodes", node_index);
     const Affine3d X = above * local(node);
-    if (const PlainJson* mesh = named(node, "mesh", "meshes"))
+    if (const PlainJson* mesh = named(node, "mesh", "meshes")) {
+      ++objects_;
       for (const PlainJson& primitive : list(*mesh, "primitives"))
         add(node, X, primitive, name_of(&node).empty() ? name_of(mesh) : name_of(&node));
+    }
     for (const PlainJson& child : list(node, "children")) place(index(child, "nodes"), X, depth + 1);
   }
 
@@ -250,7 +252,7 @@ class GlbModel {
     const PlainJson& attributes = primitive["attributes"];
     const std::size_t mode = whole(primitive, "mode", 4);
     if (mode < 4 || !attributes.contains("POSITION")) return;  // points and lines
-    FoundMesh found{name, name_of(named(primitive, "material", "materials")), {}};
+    FoundMesh found{name, name_of(named(primitive, "material", "materials")), {}, objects_};
     const Rows points = rows(whole(attributes, "POSITION"), "VEC3", 3);
     const bool is_skinned =
         node.contains("skin") && attributes.contains("JOINTS_0") && attributes.contains("WEIGHTS_0");
@@ -341,6 +343,7 @@ class GlbModel {
   std::string_view buffer_;
   std::vector<std::optional<std::size_t>> parents_;  ///< by node
   std::size_t placed_ = 0, count_ = 0;               ///< nodes; corners and points
+  int objects_ = 0;                                  ///< nodes with a mesh so far
   ModelFile out_;
 };
 

@@ -10,8 +10,7 @@
 #include "model/base/algorithms.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -63,6 +62,25 @@ class ObjGroups {
     return std::move(out_);
   }
 
+  /// Returns the faces as tiles (read_tiles_of_obj). @pre read()
+  std::optional<model::TileSheet> tiles() const {
+    std::set<std::pair<int, int>> edges;
+    std::map<int, std::pair<int, int>> first;  // tile and corner by vertex
+    model::TileSheet out;
+    for (const std::vector<int>& face : faces_) {
+      const int tile = static_cast<int>(out.tiles.size());
+      std::vector<Eigen::Vector3d>& corners = out.tiles.emplace_back();
+      for (std::size_t k = 0; k < face.size(); ++k) {
+        if (!edges.insert(std::minmax(face[k], face[(k + 1) % face.size()])).second) return std::nullopt;
+        corners.push_back(points_[face[k]]);
+        const auto [at, is_new] = first.try_emplace(face[k], tile, static_cast<int>(k));
+        if (!is_new)
+          out.joints.push_back({at->second.first, at->second.second, tile, static_cast<int>(k), true});
+      }
+    }
+    return out.joints.empty() ? std::nullopt : std::optional(std::move(out));
+  }
+
  private:
   std::string rest() {
     std::string out;
@@ -94,6 +112,7 @@ class ObjGroups {
       corners.push_back(index(word));
     if (corners.size() < 3) return;
     if (corners.size() > targets::max_face_corners) throw tokens_.error("a face of too many corners");
+    faces_.push_back(corners);
     Indexed& mesh = mesh_of(name_, material_);
     for (int& c : corners) {
       const auto [found, is_new] =
@@ -117,6 +136,7 @@ class ObjGroups {
 
   targets::MeshTokens tokens_;
   std::vector<Eigen::Vector3d> points_;
+  std::vector<std::vector<int>> faces_;  ///< vertices of each
   std::string name_, material_;
   std::map<std::pair<std::string, std::string>, Indexed> meshes_;
   ModelFile out_;
@@ -186,6 +206,18 @@ ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file) 
     return ObjGroups(bytes, file).read();
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {file, e.place().line, e.place().column, {}});
+  }
+}
+
+std::optional<model::TileSheet> read_tiles_of_obj(const std::string& file) {
+  if (targets::lower_case(std::filesystem::path(file).extension().string()) != ".obj") return std::nullopt;
+  try {
+    const std::string bytes = targets::read_bytes(file, targets::max_mesh_bytes);
+    ObjGroups groups(bytes, file);
+    groups.read();
+    return groups.tiles();
+  } catch (const InvalidInput&) {
+    return std::nullopt;  // the reader of models reports the fault
   }
 }
 

@@ -11,6 +11,7 @@ struct FoundMesh {
   std::string name;        ///< as the file has it; empty: none
   std::string material;    ///< its name, or its colour as #RRGGBB; empty: none
   model::Polyhedron soup;  ///< in the file's unit, later mm
+  int object = 0;  ///< number of the file's object, from 1, whose materials are separate meshes; 0: none
 };
 
 /// Content of a file of a 3D model.
@@ -51,5 +52,9 @@ bool is_tile_folder(const std::string& path);
 /// @throws InvalidInput with file, line and column: missing or too large files, words that are not numbers, a wrong
 /// count of numbers, faces other than 1 to 3. Also for a target with other corners than the tiles
 model::TileSheet read_tiles(const std::string& folder);
+
+/// Reads the faces of an OBJ file as tiles that turn about the vertices that they share. Empty for other files, if
+/// faces share edges, as those of a surface or a solid do, and if none shares a vertex.
+std::optional<model::TileSheet> read_tiles_of_obj(const std::string& file);
 
 }  // namespace kinetix::app

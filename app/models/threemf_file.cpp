@@ -247,6 +247,7 @@ class ThreemfModel {
   void add_mesh(const pugi::xml_node& node, const ModelPart& part, const Eigen::Affine3d& X,
                 const std::string& name) {
     std::vector<Eigen::Vector3d> points;
+    ++objects_;
     for (const pugi::xml_node& v : node.child("mesh").child("vertices").children("vertex")) {
       count_points(1);
       points.push_back(X * Eigen::Vector3d(coordinate(v, "x"), coordinate(v, "y"), coordinate(v, "z")));
@@ -266,7 +267,7 @@ class ThreemfModel {
       const std::string material = material_of(t, node, part);
       const auto [found, is_new] = mesh_of.try_emplace(material, out_.meshes.size());
       if (is_new && found->second > 0) count_points(points.size());
-      if (is_new) out_.meshes.push_back({name, material, {points, {}}});
+      if (is_new) out_.meshes.push_back({name, material, {points, {}}, objects_});
       out_.meshes[found->second].soup.triangles.push_back(corners);
     }
   }
@@ -274,7 +275,7 @@ class ThreemfModel {
   Package& package_;
   std::map<std::string, ModelPart> parts_;  ///< by their names in the package
   std::size_t triangles_ = 0, points_ = 0;
-  int placed_ = 0;  ///< objects so far
+  int placed_ = 0, objects_ = 0;  ///< objects so far, and those with a mesh
   ModelFile out_;
 };
 

@@ -1,4 +1,4 @@
-#include "app/pictures/drawing_picture.hpp"
+#include "app/pictures/panel_picture.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -16,8 +16,8 @@ constexpr double picture_edge = 20;   // px around the drawing
 /// Writes SVG elements in px, y downwards.
 class DrawingPen {
  public:
-  explicit DrawingPen(const targets::DrawnWalls& walls) {
-    for (const targets::DrawnLine& line : walls.lines) box_.extend(line.from).extend(line.to);
+  explicit DrawingPen(const std::vector<targets::DrawnLine>& lines) {
+    for (const targets::DrawnLine& line : lines) box_.extend(line.from).extend(line.to);
     if (box_.isEmpty()) box_.extend(Vector2d(0, 0));
     const double side = box_.sizes().maxCoeff();
     if (side > 0 && std::isfinite(side)) scale_ = picture_side / side;
@@ -42,6 +42,18 @@ class DrawingPen {
       points += fmt::format("{:.2f},{:.2f} ", p.x(), p.y());
     }
     out_ += fmt::format("<polygon points=\"{}\" {}/>\n", points, paint);
+  }
+
+  void shape(const std::vector<model::FlatRing>& rings, const char* colour) {
+    std::string path;
+    for (const model::FlatRing& ring : rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vector2d p = at(ring[k]);
+        path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", p.x(), p.y());
+      }
+      path += "Z";
+    }
+    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path, colour);
   }
 
   std::string text() const {
@@ -83,7 +95,7 @@ constexpr const char* fault_colour = "#d00000";
 }  // namespace
 
 std::string drawing_picture(const targets::DrawnWalls& walls) {
-  DrawingPen pen(walls);
+  DrawingPen pen(walls.lines);
   const model::PlanarGraph& graph = walls.graph;
   if (graph.edges.empty())
     for (const targets::DrawnLine& line : walls.lines) pen.line(line.from, line.to, "#808080", 1.5);
@@ -95,6 +107,19 @@ std::string drawing_picture(const targets::DrawnWalls& walls) {
   for (const Vector2d& vertex : graph.vertices) pen.circle(vertex, 2.5, "fill=\"#0060c0\"");
   for (const Vector2d& mark : walls.marks)
     pen.circle(mark, 9, "fill=\"none\" stroke=\"#d00000\" stroke-width=\"2.5\"");
+  return pen.text();
+}
+
+std::string cut_picture(const targets::CutSheet& sheet) {
+  constexpr const char* shades[] = {"#e4e4e0", "#d0d0cb", "#bcbcb6", "#dadad5", "#c6c6c0"};
+  DrawingPen pen(sheet.lines);
+  for (std::size_t k = 0; k < sheet.pieces.size(); ++k)
+    pen.shape(sheet.pieces[k], shades[k % std::size(shades)]);
+  const bool has_green = targets::has_green_cuts(sheet.lines);
+  for (const targets::DrawnLine& line : sheet.lines)
+    if (!is_crease(line, has_green)) pen.line(line.from, line.to, "black", 1.5);
+  for (const targets::SheetJoint& joint : sheet.joints)
+    pen.line(joint.from, joint.to, joint.is_crease ? "#0060c0" : fault_colour, joint.is_crease ? 1.5 : 3);
   return pen.text();
 }
 

@@ -1,6 +1,7 @@
 #include "app/pipeline/closed_form.hpp"
 
 #include "app/pipeline/drive_loads.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/certified_range.hpp"
 
@@ -48,6 +49,7 @@ std::optional<Model> plan_model(const Design& design, Model asked) {
 
 Forecast forecast_design(const Design& design) {
   Forecast out{design.structure};
+  model::append(design.notes, out.notes);
   if (const auto motion = exact_motion(design.structure)) out.folded_mm = folded_size(motion, design);
   if (design.drive && needs_elastic_hinges(*design.drive) &&
       design.hinge.model == HingeSection::Model::rotary)

@@ -325,6 +325,7 @@ Run with_model_states(Run run, const RunOptions& options) {
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
     if (!run.goal) model::append(exact_frames(run), run.states);
   }
+  model::append(run.design.notes, run.plan.why);
   model::append(run.notes, run.plan.why);
   return run;
 }
@@ -393,6 +394,8 @@ Run run_goal(const Goal& goal, const RunOptions& options) {
   const double seconds = watch.lap();
   Run run = run_found(std::move(searched.found), searched.goal.get(), options);
   run.timings.optimise = seconds;
+  if (const std::string remedy = find_remedy(goal, run, options); !remedy.empty())
+    run.violations.front() += ". " + remedy;
   return run;
 }
 

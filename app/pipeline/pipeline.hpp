@@ -25,6 +25,10 @@ Run held(SearchResult found, const Goal* goal, const RunOptions& options);
 /// drive stops before its goal.
 Run settled(Run run, const Goal& goal, const RunOptions& options);
 
+/// Runs the file of a missed goal with the changes that its kind suggests, and returns the one that meets it, else the
+/// one that is nearest, as a sentence. Every change in the sentence was run. Empty if there are none to try.
+std::string find_remedy(const Goal& goal, const Run& missed, RunOptions options);
+
 /// Result of a search, and the goal that it was for.
 struct Searched {
   std::shared_ptr<const Goal> goal;  ///< the given one, or the same with other cells

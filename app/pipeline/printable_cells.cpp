@@ -120,7 +120,7 @@ bool meets_goal(Searched one, const RunOptions& options) {
 
 /// Goal with cells that its process can print.
 struct Printable {
-  Goal::Resized resized;
+  Goal::Changed resized;
   Searched searched;
 };
 
@@ -149,7 +149,7 @@ double rounded_up_mm(double edge_mm) { return std::ceil(10 * edge_mm - 1e-9) / 1
 /// Searches a goal with cells of another size. Empty if the goal cannot have such cells.
 std::optional<Printable> search_resized(const Goal& goal, const model::CellSize& before,
                                         const model::CellSize& size, const RunOptions& options) try {
-  const std::optional<Goal::Resized> resized = goal.resize(before, size);
+  const std::optional<Goal::Changed> resized = goal.resize(before, size);
   if (!resized) return std::nullopt;
   return Printable{*resized, {resized->goal, searched(*resized->goal, options)}};
 } catch (const InvalidInput&) {

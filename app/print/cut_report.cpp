@@ -37,11 +37,14 @@ std::optional<BridgeStrain> bridge_strain(const PrintSheet& sheet) {
   return worst;
 }
 
+/// Returns the least and the largest size of the bridges; null for a sheet that has creases alone.
 CutJson range_json(const PrintSheet& sheet, double model::ManufacturedHinge::*size) {
-  const auto [least, most] = std::minmax_element(
-      sheet.hinges.begin(), sheet.hinges.end(),
-      [&](const model::HingePrint& a, const model::HingePrint& b) { return a.made.*size < b.made.*size; });
-  return {least->made.*size, most->made.*size};
+  std::vector<double> sizes;
+  for (const model::HingePrint& hinge : sheet.hinges)
+    if (hinge.made.kind == model::HingeKind::film) sizes.push_back(hinge.made.*size);
+  if (sizes.empty()) return nullptr;
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  return {*least, *most};
 }
 
 }  // namespace
@@ -68,11 +71,13 @@ CutJson cut_json(const PrintSheet& sheet) {
 CutLines describe_cut(const PrintSheet& sheet) {
   const CutDrawing cut = cut_drawing(sheet);
   const Eigen::Vector2d size = cut.high - cut.low;
-  CutLines out{{"sheet", fmt::format("{:g} mm thick, of {}; {:.1f} x {:.1f} mm of it", sheet.process.sheet_mm,
-                                     sheet_material(sheet), size.x(), size.y())},
-               {"cut", fmt::format("{:.0f} mm in {} closed lines, {} {}, for a kerf of {:g} mm",
-                                   cut.length_mm(), cut.cuts.size(), cut.pieces,
-                                   cut.pieces == 1 ? "piece" : "pieces", sheet.process.kerf_mm)}};
+  CutLines out{
+      {"sheet", fmt::format("{:g} mm thick, of {}; {:.1f} x {:.1f} mm of it", sheet.process.sheet_mm,
+                            sheet_material(sheet), size.x(), size.y())},
+      {"cut",
+       fmt::format("{:.0f} mm in {}{} closed lines, {} {}, for a kerf of {:g} mm", cut.length_mm(),
+                   cut.slits.empty() ? "" : fmt::format("{} open and ", cut.slits.size()), cut.cuts.size(),
+                   cut.pieces, cut.pieces == 1 ? "piece" : "pieces", sheet.process.kerf_mm)}};
   if (const auto strain = bridge_strain(sheet))
     out.emplace_back(
         "bridges",

@@ -9,7 +9,6 @@
 #include "app/pipeline/drive_loads.hpp"
 #include "app/print/fit.hpp"
 #include "app/print/folding_card.hpp"
-#include "app/print/format/print_format.hpp"
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/print_sheet.hpp"
@@ -50,8 +49,8 @@ struct Source {
       return {std::move(job), clearance};
     }
     if (design->structure.assembly()) {
-      reject_sheet_options(request);
-      if (process.cuts_sheets())
+      reject_sheet_options(request, design->cuts && process.cuts_sheets());
+      if (process.cuts_sheets() && !design->cuts)
         throw InvalidInput(
             fmt::format("{} cuts flat sheets, and a design of bodies is not one: print it "
                         "instead (--process fdm)",

@@ -77,7 +77,8 @@ Design reopened(Design design, const PrintRequest& request);
 void reject_design_options(const PrintRequest& request);
 
 /// Rejects options that make sheets: imported bodies are written as their parts are.
-void reject_sheet_options(const PrintRequest& request);
+/// @param is_cut whether the bodies are cut from one sheet, which drawings show
+void reject_sheet_options(const PrintRequest& request, bool is_cut);
 
 /// Rejects the folded state of a sheet for which only the flat state is known.
 void check_state(const PrintRequest& request, const PrintSheet& sheet);

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
-#include "app/print/format/print_format.hpp"
-#include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/state_json.hpp"

@@ -137,7 +137,7 @@ void reject_design_options(const PrintRequest& request) {
   refuse(request.folded, "--state folded", "a coupon does not fold");
 }
 
-void reject_sheet_options(const PrintRequest& request) {
+void reject_sheet_options(const PrintRequest& request, bool is_cut) {
   constexpr const char* instead = "and this is a design of bodies. ";
   const auto refuse = [&](bool given, const char* option) {
     if (given) throw InvalidInput(fmt::format("{} only applies to sheets, {}Remove it", option, instead));
@@ -151,11 +151,13 @@ void reject_sheet_options(const PrintRequest& request) {
   refuse(request.caps, "--round-caps");
   refuse(request.orient != "flat", "--orient");
   refuse(request.slice, "--slice");
-  constexpr std::array<std::string_view, 3> meshes = {"stl", "3mf", "glb"};
+  std::vector<std::string_view> allowed = {"stl", "3mf", "glb"};
+  if (is_cut)
+    for (const char* drawing : {"svg", "dxf"}) allowed.emplace_back(drawing);
   for (const std::string& name : request.formats)
-    if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
+    if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
       throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}",
-                                     targets::in_ticks(name), instead, targets::joined(meshes)));
+                                     targets::in_ticks(name), instead, targets::joined(allowed)));
 }
 
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {

@@ -15,7 +15,6 @@
 #include <thread>
 
 #include "app/io/text_pattern.hpp"
-#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/base/box.hpp"
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "app/console/short_form.hpp"
 #include "app/pipeline/imported_bodies.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/print_evidence.hpp"

@@ -5,6 +5,7 @@
 #include "app/run/run_options.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/linkage/state.hpp"
+#include "targets/document/edit_document.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -17,16 +18,19 @@ class Goal {
 
   const std::string name;  ///< names folders of results
 
-  /// Goal of the same file with other cells.
-  struct Resized {
+  /// Goal of the same file with other cells or values.
+  struct Changed {
     std::shared_ptr<const Goal> goal;
     std::string keys;            ///< of the file that differ, in YAML: "structure: {cell_mm: 12.5}"
     bool changes_given = false;  ///< whether the file itself gives one of them
   };
   /// Reads the file again with cells of another size, mm, on top of the changes so far. Empty if the goal does not allow
   /// it. Not set for goals that were not read from a file. @param before size of its cells, mm
-  std::function<std::optional<Resized>(const model::CellSize& before, const model::CellSize& size)> resize =
+  std::function<std::optional<Changed>(const model::CellSize& before, const model::CellSize& size)> resize =
       {};
+  /// Reads the file again with other values. Not set for goals that were not read from a file.
+  /// @throws InvalidInput for values that the goal does not allow
+  std::function<Changed(const targets::DocumentChanges&)> change = {};
 
   /// Returns estimates that need no search.
   virtual Forecast forecast() const = 0;
@@ -36,6 +40,9 @@ class Goal {
   /// @param run as far as it is computed   @param state anywhere in space; of the model: Found::own
   virtual std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
                                                  const RunOptions& options) const = 0;
+
+  /// Returns changes of the file that may bring a design nearer that misses the goal, small ones first.
+  virtual std::vector<targets::DocumentChanges> remedies(const Run& /*missed*/) const { return {}; }
 
   /// Points by which the goal is judged, and the limit of their rms.
   struct Observed {

@@ -65,6 +65,8 @@ struct RunOptions {
   std::function<PrintAnswer(const Design&)> printable = {};
   /// Returns cells with which `export` would write a design that it rejects (app/print/fit.hpp). Empty: not requested.
   std::function<std::optional<model::CellSize>(const Design&)> printable_size = {};
+  /// Whether to search for other settings with which a missed goal is met (Goal::remedies).
+  bool seeks_remedy = false;
   std::shared_ptr<const BodyPieces> pieces = {};  ///< of an earlier run, reused if they fit
 };
 

@@ -165,6 +165,8 @@ class Measure {
 
   /// Reasons why the state misses the goal, in words; empty if it meets the goal.
   std::vector<std::string> violations = {};
+  /// Distance from the goal, ratio to its tolerance; NaN if the kind has no remedies (Goal::remedies).
+  double distance = std::numeric_limits<double>::quiet_NaN();
   /// Measured state as results show it; empty: where it is.
   std::optional<model::State> shown = {};
   /// Warnings that leave the goal met.

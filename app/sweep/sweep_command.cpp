@@ -9,7 +9,6 @@
 #include "app/console/short_form.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
-#include "app/sweep/table/sweep_output.hpp"
 #include "app/sweep/table/sweep_table.hpp"
 #include "app/sweep/workers/ranks.hpp"
 #include "app/sweep/workers/worker_pools.hpp"

@@ -1,9 +1,10 @@
 #include "model/assembly/assembly.hpp"
 
 #include <cstdio>
+#include <optional>
 #include <set>
 
-#include "model/assembly/cylinder_faces.hpp"
+#include "model/assembly/bearing_faces.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
 #include "model/base/algorithms.hpp"
@@ -196,46 +197,15 @@ class Builder {
   }
 
   void add_pins() {
-    std::vector<std::vector<CylinderFace>> faces;
-    for (const AssemblyBody& body : out_.bodies) faces.push_back(cylinder_faces(body.solid));
+    std::vector<Bearings> faces;
+    for (const AssemblyBody& body : out_.bodies) faces.push_back(bearings_of(body.solid));
     for (int a = 0; a < static_cast<int>(faces.size()); ++a)
       for (int b = a + 1; b < static_cast<int>(faces.size()); ++b) {
         if (!boxes_[a].intersects(boxes_[b])) continue;
-        std::vector<PinFit> fits = fits_of(faces[a], faces[b]);
-        for (const PinFit& more : fits_of(faces[b], faces[a])) fits.push_back(more);
-        for (const PinFit& fit : on_separate_axes(fits)) add_pin(a, b, fit);
+        const BearingFits fits = fits_between(faces[a], faces[b]);
+        for (const PinFit& pin : fits.pins) add_pin(a, b, pin);
+        for (const BallFit& ball : fits.balls) add_ball(a, b, ball);
       }
-  }
-
-  static std::vector<PinFit> fits_of(const std::vector<CylinderFace>& rods,
-                                     const std::vector<CylinderFace>& bores) {
-    std::vector<PinFit> out;
-    for (const CylinderFace& rod : rods)
-      for (const CylinderFace& bore : bores)
-        if (const auto fit = pin_fit(rod, bore)) out.push_back(*fit);
-    return out;
-  }
-
-  /// Merges all bearings on one axis into one, in the middle of the outermost ones.
-  static std::vector<PinFit> on_separate_axes(const std::vector<PinFit>& fits) {
-    std::vector<PinFit> out;
-    for (const PinFit& fit : fits) {
-      const auto same = std::find_if(out.begin(), out.end(), [&](const PinFit& o) {
-        const Vector3d between = fit.point - o.point;
-        return std::abs(fit.axis.dot(o.axis)) > 0.9998 &&
-               (between - between.dot(o.axis) * o.axis).norm() < o.rod_mm / 4;
-      });
-      if (same == out.end()) {
-        out.push_back(fit);
-        continue;
-      }
-      const double shift = (fit.point - same->point).dot(same->axis);
-      const double from = std::min(-same->length_mm / 2, shift - fit.length_mm / 2);
-      const double to = std::max(same->length_mm / 2, shift + fit.length_mm / 2);
-      same->point += (from + to) / 2 * same->axis;
-      same->length_mm = to - from;
-    }
-    return out;
   }
 
   void add_pin(int a, int b, const PinFit& fit) {
@@ -253,9 +223,21 @@ class Builder {
     out_.hinges.push_back(std::move(hinge));
   }
 
+  void add_ball(int a, int b, const BallFit& fit) {
+    AssemblyHinge hinge{"ball_" + std::to_string(++balls_), a, b, HingeKind::pin, fit.center};
+    hinge.along = direction_across(out_.bodies[b].position - out_.bodies[a].position, hinge.axis);
+    hinge.reach_mm = fit.ball_mm / 2;
+    hinge.rod_mm = fit.ball_mm;
+    hinge.clearance_mm = fit.clearance_mm;
+    hinge.ball = true;
+    out_.hinges.push_back(std::move(hinge));
+  }
+
   void check_joined() const {
     if (out_.hinges.empty())
-      throw NoHinges("has no hinge: no soft part, and no hard part with a rod in the bore of another");
+      throw NoHinges(
+          "has no hinge: no soft part, and no hard part with a rod in a bore, a cone in a cup or a ball in a "
+          "socket of another");
     if (const auto body = first_apart(out_))
       throw InvalidInput("hard part `" + out_.bodies[*body].name + "` hangs on no chain of hinges with `" +
                          out_.bodies[0].name + "`");
@@ -286,7 +268,7 @@ class Builder {
   std::vector<Eigen::AlignedBox3d> boxes_;
   std::set<std::string> used_;
   Assembly out_;
-  int pins_ = 0;
+  int pins_ = 0, balls_ = 0;
 };
 
 /// Returns 1 and -1 alternately from body 0 on, across hinges.

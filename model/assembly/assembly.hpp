@@ -26,7 +26,7 @@ struct ModelPart {
   Polyhedron solid;
 };
 
-/// Error for parts without any soft part or rod in the bore of another.
+/// Error for parts without any soft part, and without rod, cone or ball in a bore, cup or socket of another.
 class NoHinges : public InvalidInput {
  public:
   using InvalidInput::InvalidInput;
@@ -80,7 +80,8 @@ struct HingeChoices {
 };
 
 /// Creates an assembly. Bodies are the hard parts. A hinge is a soft part that touches two of them, or the rod of one
-/// in the bore of another.
+/// in the bore of another. Cones in cups, and two balls or bumps in sockets or dimples, are pins as well. One ball in a
+/// socket that retains it is a spherical joint.
 /// @throws InvalidInput, naming part and reason. Parts must be solids that cross neither themselves nor another hard
 /// part. A soft part must touch exactly two hard parts. Each ambiguous axis needs a choice, and each choice an
 /// existing hinge. There must be a hinge, and each body needs a chain of hinges to the others.

@@ -1,13 +1,14 @@
 #include "model/assembly/cylinder_faces.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "model/base/algorithms.hpp"
 #include "model/base/decompositions.hpp"
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -19,35 +20,7 @@ using Eigen::Vector3d;
 // Rad: a circle of twelve sides bends by 30 degrees per edge
 constexpr double max_bend = 35 * radians_per_degree;
 // Rad: two triangles below it are one facet; float rounding bends 1 mm by less
-constexpr double flat = 0.2 * radians_per_degree;
-// Rad: a bore of little more than half a turn does not retain a rod
-constexpr double min_turn = 200 * radians_per_degree;
-constexpr int min_facets = 6;   // facets in 200 degrees of twelve sides, minus one
-constexpr double round = 2e-3;  // tolerance of corners on the circle, ratio to the radius
-constexpr int fits = 4;         // repetitions of the fit until only corners remain: two are usual
-// Ratio to the radius, below cos(pi / 12) = 0.966 of facets of twelve sides
-constexpr double flattest = 0.95;
-// Rad, between two axes of one hinge: a larger angle jams
-constexpr double parallel = 1 * radians_per_degree;
-// Largest clearance, ratio to the rod's radius: looser pairs are not a bearing
-constexpr double max_play = 0.5;
-// Ratio to the rod's diameter along the axis: a shorter overlap is only a touch
-constexpr double min_overlap = 0.25;
-
-struct Facets {
-  std::vector<Vector3d> normals;  // unit vectors; zero for triangles without area
-  std::vector<Vector3d> centers;
-};
-
-Facets facets_of(const Polyhedron& solid) {
-  Facets out;
-  for (const auto& t : solid.triangles) {
-    const Vector3d &a = solid.points[t[0]], &b = solid.points[t[1]], &c = solid.points[t[2]];
-    out.normals.push_back((b - a).cross(c - a).stableNormalized());
-    out.centers.push_back((a + b + c) / 3);
-  }
-  return out;
-}
+constexpr double flat_bend = 0.2 * radians_per_degree;
 
 struct Edge {
   int a, b;         // points
@@ -74,25 +47,7 @@ double bend(const Polyhedron& solid, const Facets& facets, const Edge& e) {
   return std::atan2(left.cross(right).dot(along), left.dot(right));
 }
 
-/// Returns the sets of triangles that are connected by edges with a bend of one sign, or none.
-std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign) {
-  UnionFind sets(solid.triangles.size());
-  std::vector<char> is_bent(solid.triangles.size(), 0);
-  for (const Edge& e : inner_edges(solid)) {
-    const double turn = sign * bend(solid, facets, e);
-    if (!(turn > -flat && turn < max_bend)) continue;
-    sets.unite(e.left, e.right);
-    if (turn > flat) is_bent[e.left] = is_bent[e.right] = 1;
-  }
-  std::map<int, std::vector<int>> regions;
-  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t)
-    if (facets.normals[t].norm() > 0) regions[sets.find(t)].push_back(t);
-  std::vector<std::vector<int>> out;
-  for (auto& [first, region] : regions)
-    if (std::any_of(region.begin(), region.end(), [&](int t) { return is_bent[t] != 0; }))
-      out.push_back(std::move(region));
-  return out;
-}
+constexpr int fits = 4;  // repetitions of the fit until only corners remain: two are usual
 
 /// Direction normal to all facet normals, with the error of the fit.
 struct FoundAxis {
@@ -132,27 +87,17 @@ Eigen::Vector3d circle_of_corners(std::vector<Vector2d> points) {
     for (const Vector2d& p : points) outermost = std::max(outermost, (p - circle.head<2>()).norm());
     std::vector<Vector2d> corners;
     for (const Vector2d& p : points)
-      if ((p - circle.head<2>()).norm() > (1 - 2 * round) * outermost) corners.push_back(p);
+      if ((p - circle.head<2>()).norm() > (1 - 2 * roundness) * outermost) corners.push_back(p);
     if (corners.size() < 3) return circle;
     circle = circle_through(corners);
   }
   return circle;
 }
 
-/// Returns the angle covered about a center: 2 pi minus the largest gap between neighbouring corners.
-double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
-  std::vector<double> angles;
-  for (const Vector2d& p : points) angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));
-  std::sort(angles.begin(), angles.end());
-  double gap = angles.front() + 2 * pi - angles.back();
-  for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
-  return gap < max_bend + flat ? 2 * pi : 2 * pi - gap;
-}
-
 std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhedron& solid,
                                    const Facets& facets, bool hollow) {
   const FoundAxis axis = axis_of(region, solid, facets);
-  if (!(axis.lean < round)) return std::nullopt;
+  if (!(axis.lean < roundness)) return std::nullopt;
   Vector3d d = axis.direction;
   Eigen::Index lead = 0;
   d.cwiseAbs().maxCoeff(&lead);
@@ -177,15 +122,16 @@ std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhed
   face.turn = covered(flatly, center);
   face.point = origin + center.x() * u + center.y() * v;
   face.point += (0.5 * (face.from + face.to) - d.dot(face.point)) * d;
-  if (!(face.turn > min_turn) || static_cast<int>(flatly.size()) < 2 * min_facets) return std::nullopt;
+  if (!(face.turn > min_round_turn) || static_cast<int>(flatly.size()) < 2 * min_round_facets)
+    return std::nullopt;
   face.inner_mm = face.radius_mm;
   for (const int t : region) {
     const double away = facets.normals[t].dot(facets.centers[t] - face.point);
     if (!((hollow ? -away : away) > 0)) return std::nullopt;
     face.inner_mm = std::min(face.inner_mm, std::abs(away));
   }
-  const double slack = round * face.radius_mm + 1e-4;
-  if (!(face.inner_mm >= flattest * face.radius_mm)) return std::nullopt;
+  const double slack = roundness * face.radius_mm + 1e-4;
+  if (!(face.inner_mm >= flattest_facet * face.radius_mm)) return std::nullopt;
   for (const Vector2d& p : flatly) {
     const double off = (p - center).norm();
     if (!(off <= face.radius_mm + slack && off >= face.inner_mm - slack)) return std::nullopt;
@@ -194,6 +140,44 @@ std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhed
 }
 
 }  // namespace
+
+Facets facets_of(const Polyhedron& solid) {
+  Facets out;
+  for (const auto& t : solid.triangles) {
+    const Vector3d &a = solid.points[t[0]], &b = solid.points[t[1]], &c = solid.points[t[2]];
+    out.normals.push_back((b - a).cross(c - a).stableNormalized());
+    out.centers.push_back((a + b + c) / 3);
+  }
+  return out;
+}
+
+std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign) {
+  UnionFind sets(solid.triangles.size());
+  std::vector<char> is_bent(solid.triangles.size(), 0);
+  for (const Edge& e : inner_edges(solid)) {
+    const double turn = sign * bend(solid, facets, e);
+    if (!(turn > -flat_bend && turn < max_bend)) continue;
+    sets.unite(e.left, e.right);
+    if (turn > flat_bend) is_bent[e.left] = is_bent[e.right] = 1;
+  }
+  std::map<int, std::vector<int>> regions;
+  for (int t = 0; t < static_cast<int>(solid.triangles.size()); ++t)
+    if (facets.normals[t].norm() > 0) regions[sets.find(t)].push_back(t);
+  std::vector<std::vector<int>> out;
+  for (auto& [first, region] : regions)
+    if (std::any_of(region.begin(), region.end(), [&](int t) { return is_bent[t] != 0; }))
+      out.push_back(std::move(region));
+  return out;
+}
+
+double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
+  std::vector<double> angles;
+  for (const Vector2d& p : points) angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));
+  std::sort(angles.begin(), angles.end());
+  double gap = angles.front() + 2 * pi - angles.back();
+  for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+  return gap < max_bend + flat_bend ? 2 * pi : 2 * pi - gap;
+}
 
 std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid) {
   const Facets facets = facets_of(solid);
@@ -207,14 +191,15 @@ std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid) {
 std::optional<PinFit> pin_fit(const CylinderFace& rod, const CylinderFace& bore) {
   if (rod.hollow || !bore.hollow) return std::nullopt;
   const double clearance = bore.inner_mm - rod.radius_mm;
-  if (!(clearance >= 0) || !(clearance <= max_play * rod.radius_mm)) return std::nullopt;
-  if (!(std::abs(rod.axis.dot(bore.axis)) > std::cos(parallel))) return std::nullopt;
+  if (!(clearance >= 0) || !(clearance <= max_bearing_play * rod.radius_mm)) return std::nullopt;
+  if (!(std::abs(rod.axis.dot(bore.axis)) > std::cos(parallel_axes))) return std::nullopt;
   const Vector3d between = bore.point - rod.point;
-  if (!((between - between.dot(rod.axis) * rod.axis).norm() <= std::max(clearance, round * rod.radius_mm)))
+  if (!((between - between.dot(rod.axis) * rod.axis).norm() <=
+        std::max(clearance, roundness * rod.radius_mm)))
     return std::nullopt;
   const double middle = rod.axis.dot(bore.point), half = (bore.to - bore.from) / 2;
   const double from = std::max(rod.from, middle - half), to = std::min(rod.to, middle + half);
-  if (!(to - from >= min_overlap * 2 * rod.radius_mm)) return std::nullopt;
+  if (!(to - from >= min_bearing_overlap * 2 * rod.radius_mm)) return std::nullopt;
   Vector3d point = (rod.point + bore.point) / 2;
   const Vector3d axis = (rod.axis + (rod.axis.dot(bore.axis) > 0 ? 1 : -1) * bore.axis).normalized();
   point += (0.5 * (from + to) - rod.axis.dot(point)) / rod.axis.dot(axis) * axis;

@@ -24,11 +24,11 @@ void note_length(const CurveFit& fit, CurveReach& reach) {
   if (!too_short && !(reach.shortest_mm > max_slack * length)) return;
   reach.obstacles.push_back(
       fmt::format("the curve is {0:.1f} mm long, and {1} cells of {2:.3g} mm span {4:.1f} to {3:.1f} mm "
-                  "(fold angle {5:.1f} to {6:.1f} deg). Use {7} cells or cell_mm {8:.3g}",
+                  "(fold angle {5:.1f} to {6:.1f} deg)",
                   length, columns, fit.cell_mm(), reach.longest_mm, reach.shortest_mm,
-                  to_degrees(theta.lower), to_degrees(theta.upper),
-                  std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))),
-                  length / (columns * std::cos((theta.lower + theta.upper) / 2))));
+                  to_degrees(theta.lower), to_degrees(theta.upper)));
+  reach.fitting_columns =
+      static_cast<int>(std::lround(length / (fit.cell_mm() * std::cos((theta.lower + theta.upper) / 2))));
 }
 
 void note_turn(const CurveFit& fit, CurveReach& reach) {
@@ -43,14 +43,10 @@ void note_turn(const CurveFit& fit, CurveReach& reach) {
   const bool too_little = turn > worst->allowed;
   const std::string others = count > 1 ? fmt::format(" ({} columns are out of bounds)", count) : "";
   const std::string bounds =
-      too_little
-          ? fmt::format(
-                "the bounds allow {:.1f} deg at fold angle {:.1f} deg{}. Allow larger tilts or a larger fold "
-                "angle, or use smaller cells",
-                to_degrees(worst->allowed), to_degrees(reach.theta), others)
-          : fmt::format(
-                "the bounds require at least {:.1f} deg more at fold angle {:.1f} deg{}. Allow smaller tilts",
-                to_degrees(worst->excess), to_degrees(reach.theta), others);
+      too_little ? fmt::format("the bounds allow {:.1f} deg at fold angle {:.1f} deg{}",
+                               to_degrees(worst->allowed), to_degrees(reach.theta), others)
+                 : fmt::format("the bounds require at least {:.1f} deg more at fold angle {:.1f} deg{}",
+                               to_degrees(worst->excess), to_degrees(reach.theta), others);
   reach.obstacles.push_back(fmt::format(
       "{:.1f} mm along the curve (x {:.1f}, z {:.1f}) column {} needs to turn {:.1f} deg to the {}, and {}",
       worst->arc_mm, at.x(), at.y(), worst->column, to_degrees(turn), worst->needed < 0 ? "right" : "left",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "model/contact/wall_contact.hpp"
 #include "optim/curve/curve_fit.hpp"
@@ -24,7 +25,9 @@ struct CurveReach {
   double shortest_mm = 0;  ///< length of the straight strip at the largest theta
   double longest_mm = 0;   ///< length of the straight strip at the smallest theta
   std::vector<ColumnTurn> turns;
-  /// Reasons why the goal is out of reach, with numbers; empty when none was found.
+  /// Number of columns whose strip has the goal's length; empty if the present one can have it.
+  std::optional<int> fitting_columns = {};
+  /// Reasons why the goal is out of reach, with numbers and without advice; empty when none was found.
   std::vector<std::string> obstacles;
 };
 

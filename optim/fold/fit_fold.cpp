@@ -4,7 +4,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
-#include "optim/fold/motion_overlap.hpp"
+#include "optim/fold/folded_net.hpp"
 
 namespace kinetix::optim {
 namespace {

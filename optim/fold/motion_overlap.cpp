@@ -1,4 +1,4 @@
-#include "optim/fold/motion_overlap.hpp"
+#include "optim/fold/folded_net.hpp"
 
 #include <cmath>
 

@@ -103,19 +103,21 @@ class BoundarySearch {
     problem_.flat_scale = panel.size.edge_mm;
     problem_.theta = theta;
     problem_.stop = options.stop;
+    problem_.symmetries = find_symmetries(panel, folded, flat);
     const double shift = 2 * std::min(0.5 - options.t[0], options.t[1] - 0.5);
     problem_.bounds.shift.assign(panel.graph.edges.size(), shift);
     limit_.assign(panel.graph.edges.size(), on_walls_ ? 0 : options.offset);
     if (flat) problem_.bounds.stretch.assign(panel.graph.edges.size(), longest);
   }
 
-  OutlineDesign run() {
-    start();
+  /// @param given shape at which the search starts; null: the panel as it is
+  OutlineDesign run(const OutlineShape* given) {
+    given ? start(*given) : start();
     OutlineDesign found;
     const int most = problem_.flat ? most_of_free_panels : max_rounds_apart;
-    for (bool spread = true;; spread = false) {
+    for (bool again = false;; again = true) {
       bound_offsets();
-      const OutlineProgress now = improve(problem_, shape_, spread, memory_);
+      const OutlineProgress now = improve(problem_, shape_, !given && !again, again, memory_);
       found.rounds += now.rounds;
       found.settled = now.settled;
       take(found);
@@ -129,6 +131,11 @@ class BoundarySearch {
   }
 
  private:
+  void start(const OutlineShape& given) {
+    shape_ = given;
+    if (!problem_.flat) shape_.flat = panel_.graph.vertices;
+  }
+
   void start() {
     shape_.flat = panel_.graph.vertices;
     const double c = std::cos(problem_.theta);
@@ -203,7 +210,9 @@ class BoundarySearch {
 
   /// Relaxes the walls that met, since narrow cells close soonest. The walls round their cells also become
   /// more equal in length: they scale less, and differ less in the flat panel if that is free.
-  void tighten(const std::set<int>& met) {
+  void tighten(std::set<int> met) {
+    for (const PanelSymmetry& symmetry : problem_.symmetries)
+      for (const int e : std::vector<int>(met.begin(), met.end())) met.insert(symmetry.edges[e]);
     for (const int e : met) problem_.bounds.shift[e] *= less_sliding;
     const std::set<int> round = round_cells_of(met);
     for (const int e : round) limit_[e] *= met.contains(e) ? less_scaling : other_scaling;
@@ -240,6 +249,7 @@ class BoundarySearch {
     }
     found.at_bounds_shift /= walls;
     found.at_bounds_offset /= walls;
+    found.shape = shape_;
   }
 
   const model::PlanarStructure& panel_;
@@ -264,28 +274,29 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
   OutlineDesign best;
   std::set<double> tried;
   int rounds = 0;
+  const int thetas = options.start ? 1 : options.thetas;
   const auto found_at = [&](double theta) {
-    return BoundarySearch(panel, folded, flat, options, theta).run();
+    return BoundarySearch(panel, folded, flat, options, theta).run(options.start);
   };
   const auto take = [&](OutlineDesign found) {
     const double theta = found.theta;
     rounds += found.rounds;
     if (tried.empty() || is_better(found, best)) best = std::move(found);
     tried.insert(theta);
-    progress("search", static_cast<double>(tried.size()) / (options.thetas + halvings),
+    progress("search", static_cast<double>(tried.size()) / (thetas + halvings),
              fmt::format("fold angle {} of at most {}, best {:.2g} of the diagonal off", tried.size(),
-                         options.thetas + halvings, best.error.rms));
+                         thetas + halvings, best.error.rms));
   };
   // Starts with the largest theta: the more a panel is folded the more its boundary can change, until walls
   // meet.
   const auto theta_of = [&](int k) {
-    const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
+    const double part = thetas == 1 ? 0 : static_cast<double>(k) / (thetas - 1);
     return options.theta[1] + part * (options.theta[0] - options.theta[1]);
   };
   // Several threads try some thetas ahead. Their results are not reported if the search ends before them.
   bool ends = false;
-  for (int first = 0, now; first < options.thetas && !ends; first += now) {
-    now = std::min(model::threads_of(options.threads), options.thetas - first);
+  for (int first = 0, now; first < thetas && !ends; first += now) {
+    now = std::min(model::threads_of(options.threads), thetas - first);
     std::vector<OutlineDesign> found(now);
     model::run_in_parallel(now, now, [&](int k) { found[k] = found_at(theta_of(first + k)); });
     for (int k = 0; k < now && !ends; ++k) {

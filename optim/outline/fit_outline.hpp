@@ -22,8 +22,10 @@ struct OutlineOptions {
   double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5); 0: none
   std::array<double, 2> t = {0.12, 0.88};  ///< range, fractions; the bound nearer to 0.5 limits both sides
   int thetas = 4;                          ///< tried, evenly between the ends of the range, >= 1
-  int threads = 1;                         ///< that try them, 0: all cores; the result does not depend on it
-  std::stop_token stop = {};               ///< on request, the best so far is the result
+  /// Shape of the panel at which the search starts, at theta[1] alone. Null: the panel as it is, at several thetas.
+  const OutlineShape* start = nullptr;
+  int threads = 1;            ///< that try them, 0: all cores; the result does not depend on it
+  std::stop_token stop = {};  ///< on request, the best so far is the result
 };
 
 /// Panel found.
@@ -32,6 +34,7 @@ struct OutlineDesign {
   model::ParallelDrawing y;      ///< of each vertex
   double theta = 0;              ///< rad
   double scale = 1;              ///< mm of the outline per cell edge
+  OutlineShape shape;            ///< of the panel in the search, for the start of a finer one
   /// Position of the outline's origin in the frame of the states that y gives, at theta, cell edges.
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   targets::OutlineError error;  ///< of the boundary's vertices at theta
@@ -48,7 +51,7 @@ struct OutlineDesign {
 };
 
 /// Fits the boundary at theta. Every intermediate panel is an exact motion with all hinges closed. If walls
-/// would meet before theta, those walls turn less.
+/// would meet before theta, those walls turn less. The boundary has all symmetries that panel and outlines share.
 /// @param panel its hinge positions have no effect.
 /// @param flat outline of its boundary at rest, in its size's edge_mm, with the panel's vertices as
 /// variables; null: the vertices stay.

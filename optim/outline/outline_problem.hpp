@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "model/lattice/planar/planar_motion.hpp"
+#include "optim/outline/panel_symmetry.hpp"
 #include "optim/solvers/box_least_squares.hpp"
 #include "targets/outline/outline.hpp"
 
@@ -35,7 +36,8 @@ struct OutlineProblem {
   double flat_scale = 1;                          ///< mm of it per cell edge
   double theta = 0;                               ///< rad, in (0, pi/2)
   WallBounds bounds;
-  std::stop_token stop = {};  ///< on request, the iteration ends
+  std::vector<PanelSymmetry> symmetries = {};  ///< that the panel keeps; bounds have them, too
+  std::stop_token stop = {};                   ///< on request, the iteration ends
 };
 
 /// Result of improve().
@@ -47,9 +49,10 @@ struct OutlineProgress {
 };
 /// Moves the boundary towards the outlines. Each round finds the nearest points again and solves a convex
 /// problem, until nothing moves. The result is within bounds (to 1e-6). x is unchanged if `flat` is null.
-/// @param spread first move the boundary's vertices to their places along the outlines (spread_along)
+/// @param spread first move the boundary's vertices to their places along the outlines (spread_along).
+/// @param again only some bounds have changed since the last call, so that few rounds suffice
 /// @param memory from the last call, or empty; updated for the next one
-OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
+OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread, bool again,
                         BoxLeastSquaresMemory& memory);
 
 /// Returns the first place of each vertex of the boundary. Places along the outline have the boundary's own
@@ -59,5 +62,12 @@ std::vector<Eigen::Vector2d> spread_along(const targets::Outline& outline,
 
 /// Returns the parallel drawing y of a shape. @param theta rad
 model::ParallelDrawing parallel_drawing_of(const OutlineShape& shape, double theta);
+
+/// Returns the shape of a panel that deforms as another one with larger cells. Both panels at rest are laid over each
+/// other, stretched to one bounding box. Places between vertices are interpolated linearly in triangles from the middle
+/// of each cell to its walls.
+/// @param coarse, fine panels at rest, cut from a lattice   @param shape of the coarse one
+OutlineShape refined_shape(const model::PlanarStructure& coarse, const OutlineShape& shape,
+                           const model::PlanarStructure& fine);
 
 }  // namespace kinetix::optim

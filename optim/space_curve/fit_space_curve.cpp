@@ -10,109 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int directions = 2000;     // on half a sphere: about 3 degrees apart
-constexpr double first_step = 0.03;  // rad: about half their spacing
-constexpr double last_step = 1e-7;   // rad: below the accuracy of slopes
-constexpr double slow = 1e-3;        // of a step: one that lowers the slope by less moves along a ridge
-constexpr int max_stretches = 400;   // of a goal; slopes vary little from one to the next
-
-struct Stretches {
-  std::vector<Vector3d> along;  ///< unit
-  std::vector<double> arc_mm;
-};
-
-Stretches stretches_of(const targets::SpaceCurve& line, double stretch) {
-  Stretches out;
-  for (int k = 0; k < max_stretches; ++k) {
-    const double s = line.length() * (k + 0.5) / max_stretches;
-    out.along.push_back(line.direction(s, stretch / 2));
-    out.arc_mm.push_back(s);
-  }
-  return out;
-}
-
-/// Returns the largest component of a stretch along y, the sine of its slope, and sets the index of that
-/// stretch.
-double steepest(const Stretches& all, const Vector3d& y, std::size_t& where) {
-  double most = -1;
-  for (std::size_t k = 0; k < all.along.size(); ++k)
-    if (const double part = std::abs(all.along[k].dot(y)); part > most) {
-      most = part;
-      where = k;
-    }
-  return most;
-}
-
-/// Returns whether the largest component is below `least`, and then lowers `least` to it.
-bool lowers(const Stretches& all, const Vector3d& y, double& least) {
-  double most = -1;
-  for (const Vector3d& along : all.along) {
-    most = std::max(most, std::abs(along.dot(y)));
-    if (!(most < least)) return false;
-  }
-  least = most;
-  return true;
-}
-
-/// Returns point k, evenly spread over half a sphere (Fibonacci's spiral).
-Vector3d spread(int k) {
-  const double z = (k + 0.5) / directions, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(turn), r * std::sin(turn), z};
-}
-
-Vector3d first_direction(const Stretches& all) {
-  Vector3d best = Vector3d::UnitY();
-  double least = std::numeric_limits<double>::infinity();
-  lowers(all, best, least);
-  for (int k = 0; k < directions; ++k)
-    if (const Vector3d y = spread(k); lowers(all, y, least)) best = y;
-  return best;
-}
-
-/// Refines a direction by steps to eight sides, halved when none is much better.
-Vector3d refined(const Stretches& all, Vector3d y) {
-  double least = std::numeric_limits<double>::infinity();
-  lowers(all, y, least);
-  for (double step = first_step; step > last_step;) {
-    const Vector3d u = y.unitOrthogonal(), v = y.cross(u);
-    const double before = least;
-    Vector3d better = y;
-    for (int k = 0; k < 8; ++k) {
-      const double turn = k * std::numbers::pi / 4;
-      const Vector3d next = (y + step * (std::cos(turn) * u + std::sin(turn) * v)).normalized();
-      if (lowers(all, next, least)) better = next;
-    }
-    if (!(before - least > slow * step)) step /= 2;
-    y = better;
-  }
-  return y;
-}
-
-}  // namespace
-
-Across min_slope(const targets::SpaceGoal& goal, double stretch) {
-  const Stretches all = stretches_of(goal.line(), stretch);
-  Across out;
-  out.direction = refined(all, first_direction(all));
-  std::size_t where = 0;
-  const double part = steepest(all, out.direction, where);
-  out.slope = part < 1 ? part / std::sqrt(1 - part * part) : std::numeric_limits<double>::infinity();
-  out.arc_mm = all.arc_mm[where];
-  return out;
-}
-
-Eigen::Matrix3d frame_across(const targets::SpaceGoal& goal, const Vector3d& y) {
-  const Vector3d chord = goal.points()[1] - goal.points()[0];
-  const Vector3d seen = chord - chord.dot(y) * y;
-  const Vector3d x = seen.norm() > 1e-9 * chord.norm() ? seen.normalized() : y.unitOrthogonal();
-  Eigen::Matrix3d frame;
-  frame << x, y, x.cross(y);
-  return frame;
-}
-
-namespace {
-
 constexpr double max_error_ratio = 1.1;  // times the least error: within this, the remaining room decides
 
 /// Returns the limits of the columns at theta.
@@ -198,10 +95,19 @@ double use_of(const SpaceDesign& found, const SpaceVariables& v, double upper) {
   return use;
 }
 
+constexpr double narrower = 0.8;   // times the limits of columns whose walls meet
+constexpr int max_narrowings = 4;  // 0.8^4 is 0.4: with smaller turns and climbs the strip is hardly nearer
+// Evaluations of one search for a goal out of reach. Columns at their limits converge slowly, to little less error.
+constexpr int most_evaluations = 50;
+
+/// Returns the error, and far more of a strip whose walls meet.
+double rank(const SpaceDesign& one) { return one.error.rms + (one.contact.touches ? 1e3 : 0); }
+
 class StripSearch {
  public:
-  StripSearch(const targets::SpaceGoal& goal, const SpaceVariables& v, const SolverOptions& options)
-      : goal_(goal), v_(v), options_(options), across_(across_of(goal, v.columns)) {
+  StripSearch(const targets::SpaceGoal& goal, const SpaceVariables& v, const SolverOptions& options,
+              const Across& across)
+      : goal_(goal), v_(v), options_(options), across_(across) {
     frame_ = frame_across(goal, across_.direction);
     line_ = std::make_unique<targets::SpaceCurve>(seen(goal, frame_));
     first_ = followed(*line_, v.columns);
@@ -219,6 +125,37 @@ class StripSearch {
       all.push_back(k > 0 && fits(all.back(), theta) ? same_at(all.back(), theta) : at(theta, range));
     }
     return best_of(std::move(all), range.upper);
+  }
+
+  /// Returns the strip at the largest theta, whose walls may meet.
+  SpaceDesign find_first() {
+    const AngleRange range = allowed_theta(v_);
+    return v_.free_edge ? at(range.upper, range) : of_given_cells(range);
+  }
+
+  /// Finds the strip nearest to a goal out of reach, whose columns are at their limits. Where their walls meet, the
+  /// limits are narrowed. Each search starts at the strip of the one before. @param first find_first()
+  SpaceDesign find_nearest(SpaceDesign first) {
+    if (!v_.free_edge) return first;
+    const AngleRange range = allowed_theta(v_);
+    int evaluations = first.search.evaluations;
+    std::vector<SpaceDesign> all = {std::move(first)};
+    for (int k = 0; k < v_.thetas; ++k) {
+      const double part = v_.thetas > 1 ? static_cast<double>(k) / (v_.thetas - 1) : 0;
+      const double theta = range.upper - part * (range.upper - range.lower);
+      double share = 1;
+      for (int narrowed = 0; narrowed <= max_narrowings; ++narrowed, share *= narrower) {
+        if (options_.stop.stop_requested()) break;
+        if (k > 0 || narrowed > 0) {
+          all.push_back(at(theta, range, share, all.back().strip));
+          evaluations += all.back().search.evaluations;
+        }
+        if (!all.back().contact.touches) break;
+      }
+    }
+    SpaceDesign out = best_of(std::move(all), range.upper);
+    out.search.evaluations = evaluations;
+    return out;
   }
 
  private:
@@ -251,8 +188,13 @@ class StripSearch {
     return one;
   }
 
-  SpaceDesign at(double theta, const AngleRange& range) const {
+  SpaceDesign at(double theta, const AngleRange& range) const { return at(theta, range, 1, first_); }
+
+  /// @param share of the limits of columns, (0, 1]   @param start of the search
+  SpaceDesign at(double theta, const AngleRange& range, double share, const SpaceStrip& start) const {
     SpaceLimits limits = limits_at(v_, theta);
+    limits.turn *= share;
+    limits.climb *= share;
     if (v_.free_edge) {
       limits.min_step = min_edge_mm(v_, theta) * std::cos(theta);
     } else {
@@ -261,7 +203,7 @@ class StripSearch {
     }
     const SpaceFit fit(*line_, goal_.diagonal(), first_, limits);
     SpaceDesign out;
-    out.search = solve(fit, fit.pack(first_), options_);
+    out.search = solve(fit, fit.pack(start), options_);
     if (out.search.x.size() == 0) throw std::runtime_error("the search failed: " + out.search.why);
     out.strip = fit.strip(out.search.x);
     const double at_theta = v_.free_edge ? theta : theta_of(out.strip.step);
@@ -289,7 +231,6 @@ class StripSearch {
   }
 
   SpaceDesign best_of(std::vector<SpaceDesign> all, double upper) const {
-    const auto rank = [&](const SpaceDesign& one) { return one.error.rms + (one.contact.touches ? 1e3 : 0); };
     double least = std::numeric_limits<double>::infinity();
     for (const SpaceDesign& one : all) least = std::min(least, rank(one));
     std::size_t chosen = all.size();
@@ -340,10 +281,10 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
         across.arc_mm,
         fmt::format(
             "the curve climbs across the strip by {:.3g} of its length {}, and columns can shear at most "
-            "{:.3g} at fold angle {:.3g} deg, for every direction of the strip. Allow a larger "
-            "variables.fold_angle.range_deg, or positions nearer to 0 and 1 (variables.hinge_position.range)",
+            "{:.3g} at fold angle {:.3g} deg",
             across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
-            to_degrees(allowed_theta(v).upper))};
+            to_degrees(allowed_theta(v).upper)),
+        true};
   const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);
   std::size_t where = 0;
   const double turn = largest(strip.turn, where);
@@ -351,14 +292,25 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   const double arc = goal.length() * (2.0 * static_cast<double>(where) + 1.5) / v.columns;
   return SpaceObstacle{
       arc, fmt::format("the curve turns by {:.3g} deg within two columns {}, more than the {:.3g} deg "
-                       "that a column can bend. Use more columns or allow a larger tilt",
+                       "that a column can bend",
                        to_degrees(turn), describe_place(goal, arc), to_degrees(most.turn))};
 }
 
 SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
                             const SolverOptions& options) {
-  if (const auto found = obstacle(goal, variables)) throw InvalidInput(found->why);
-  return StripSearch(goal, variables, options).find();
+  const std::optional<SpaceObstacle> found = obstacle(goal, variables);
+  const Across across = across_of(goal, variables.columns);
+  if (!found) return StripSearch(goal, variables, options, across).find();
+  SolverOptions few = options;
+  few.max_evaluations = std::min(few.max_evaluations, most_evaluations);
+  StripSearch by_largest(goal, variables, few, across),
+      by_mean(goal, variables, few, mean_slope(goal, 2 * goal.length() / variables.columns));
+  SpaceDesign first = by_largest.find_first(), other = by_mean.find_first();
+  const bool is_other = other.error.rms < first.error.rms;
+  SpaceDesign out =
+      is_other ? by_mean.find_nearest(std::move(other)) : by_largest.find_nearest(std::move(first));
+  out.obstacle = found;
+  return out;
 }
 
 std::vector<Vector3d> space_midline(const model::State& state) {

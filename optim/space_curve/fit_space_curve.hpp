@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "optim/solvers/solver.hpp"
@@ -18,6 +20,10 @@ struct Across {
 /// Returns the direction with the smallest largest slope of the goal.
 /// @param stretch mm over which slopes are averaged, > 0: features shorter than two columns do not count
 Across min_slope(const targets::SpaceGoal& goal, double stretch);
+
+/// Returns the direction with the smallest mean square slope. A goal with one steep place is nearest to a strip along
+/// it. @param stretch as of min_slope
+Across mean_slope(const targets::SpaceGoal& goal, double stretch);
 
 /// Returns the frame of a strip with its width along `direction`. Unit columns: along the strip's plane,
 /// across, up.
@@ -40,8 +46,9 @@ struct SpaceVariables {
 
 /// Place where the goal is beyond the limits of a column.
 struct SpaceObstacle {
-  double arc_mm = 0;  ///< along the goal
-  std::string why;    ///< one sentence
+  double arc_mm = 0;    ///< along the goal
+  std::string why;      ///< one sentence, without advice
+  bool climbs = false;  ///< whether the goal is too steep, which more columns do not change
 };
 
 /// Returns the worst place that no strip of these variables can follow, or nullopt if each column can do its
@@ -59,12 +66,14 @@ struct SpaceDesign {
   SolveResult search;
   model::ContactLimit contact;  ///< first wall contact up to its theta, if any
   int tried = 0;                ///< number of thetas
+  /// Place that the strip cannot follow within the limits of its columns, if any. The strip is then the nearest.
+  std::optional<SpaceObstacle> obstacle = {};
 };
 
 /// Fits the strip: y along the direction of least slope, turns and climbs by least squares. If the edge is
 /// free, theta is chosen among those whose walls do not meet. Tilts, fractions and theta itself then stay far
-/// from their bounds.
-/// @throws InvalidInput for invalid variables, and for a goal with an obstacle
+/// from their bounds. A goal out of reach gets the nearest strip and its obstacle.
+/// @throws InvalidInput for invalid variables
 SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
                             const SolverOptions& options);
 

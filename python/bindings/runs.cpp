@@ -103,6 +103,7 @@ std::shared_ptr<app::Run> run_in_python(const RunFunction& function, const std::
     options.stop = stop.get_token();
     options.printable = app::answer_of_export;
     options.printable_size = app::find_printable_size;
+    options.seeks_remedy = true;
     if (listener)
       options.progress = [&](const std::string& stage, double done, const std::string& words) {
         (*listener)(stage, done, words);

@@ -1,4 +1,4 @@
-#include "targets/curve/mend_points.hpp"
+#include "targets/curve/point_files.hpp"
 
 #include <cmath>
 

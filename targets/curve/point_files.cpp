@@ -8,7 +8,7 @@
 
 #include "model/base/geometry.hpp"
 #include "targets/display/image_goal.hpp"
-#include "targets/display/silhouette.hpp"
+#include "targets/display/picture.hpp"
 #include "targets/document/number.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "targets/curve/mend_points.hpp"
 #include "targets/document/length_unit.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

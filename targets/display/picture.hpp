@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "targets/display/display_goal.hpp"
 
@@ -58,5 +60,16 @@ Topology topology(const DisplayGoal& goal);
 /// middle level. Fewer parts or holes than drawn mean that some have merged.
 /// @param values in the order of DisplayGoal::levels, larger for the letter
 Topology seen_topology(const DisplayGoal& goal, const std::vector<double>& values);
+
+/// Outline of the largest part of a picture, in pixels, y upwards.
+struct Silhouette {
+  std::vector<Eigen::Vector2d> points;  ///< each once, closed
+  std::size_t left_out = 0;             ///< smaller parts, without specks
+};
+
+/// Finds the outer outline of the largest connected part of a picture of two levels. A picture whose margin is mostly
+/// ink is inverted first. Steps of the pixels are cut off, and the outline keeps within about a pixel of theirs.
+/// @throws InvalidInput without a place for a part that reaches the edge of the picture, or has under 20 pixels
+Silhouette silhouette_of(const Picture& picture);
 
 }  // namespace kinetix::targets

@@ -1,4 +1,4 @@
-#include "targets/display/silhouette.hpp"
+#include "targets/display/picture.hpp"
 
 #include <array>
 #include <cmath>

@@ -98,7 +98,7 @@ class DrawingExaminer {
     out_.lines = std::move(drawing.lines);
     if (out_.lines.empty())
       return refuse(InvalidInput("the drawing has no lines. Draw each wall as one line", {file_}));
-    if (!apply_unit(drawing)) return std::move(out_);
+    if (!apply_unit(drawing) || settings_.are_cuts) return std::move(out_);
     for (const DrawnLine& line : out_.lines)
       if (line.curve >= 0) return refuse_curve(drawing, line);
     return join();

@@ -46,14 +46,15 @@ struct DrawingSettings {
   std::optional<double> unit_mm = {};  ///< of the drawing's numbers, instead of the file's
   double scale = 1;                    ///< ratio of the sheet to the drawing
   std::optional<double> join_mm = {};  ///< distance in which ends are joined
+  bool are_cuts = false;               ///< lines are cuts: curves are taken as chords, and no walls are made
 };
 
 /// Walls that were understood from a drawing. A drawing that is refused has what was understood up to the fault.
 struct DrawnWalls {
-  std::string file;                    ///< path of the drawing
-  std::vector<DrawnLine> lines;        ///< mm
-  model::PlanarGraph graph;            ///< walls, mm; vertices from below, and from the left in a row
-  std::string unit;                    ///< unit of the drawing's numbers and its source
+  std::string file;              ///< path of the drawing
+  std::vector<DrawnLine> lines;  ///< mm
+  model::PlanarGraph graph;      ///< walls, mm; vertices from below, and from the left in a row; none of cuts
+  std::string unit;              ///< unit of the drawing's numbers and its source
   std::optional<InvalidInput> fault;   ///< reason to refuse the drawing
   std::vector<Eigen::Vector2d> marks;  ///< places of the fault, in the unit of `lines`
 };

@@ -5,7 +5,7 @@
 #include "model/base/geometry.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"
-#include "targets/drawing/dxf_shapes.hpp"
+#include "targets/drawing/dxf_groups.hpp"
 
 namespace kinetix::targets {
 namespace {

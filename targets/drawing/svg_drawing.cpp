@@ -9,9 +9,7 @@
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"
-#include "targets/drawing/svg_page.hpp"
-#include "targets/drawing/svg_path.hpp"
-#include "targets/drawing/svg_scanner.hpp"
+#include "targets/drawing/svg_elements.hpp"
 #include "targets/drawing/svg_style.hpp"
 
 namespace kinetix::targets {

@@ -1,4 +1,3 @@
-#include "targets/drawing/svg_page.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "model/base/invalid_input.hpp"
-#include "targets/drawing/svg_scanner.hpp"
+#include "targets/drawing/svg_elements.hpp"
 #include "targets/drawing/svg_style.hpp"
 
 namespace kinetix::targets {

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "targets/document/wording.hpp"
-#include "targets/drawing/svg_scanner.hpp"
+#include "targets/drawing/svg_elements.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -1,4 +1,4 @@
-#include "targets/fold/read_fold.hpp"
+#include "targets/fold/fold_goal.hpp"
 
 #include "targets/fold/solid.hpp"
 

@@ -6,7 +6,6 @@
 #include "targets/curve/read_curve.hpp"
 #include "targets/document/length_unit.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/mesh_section.hpp"
 
 namespace kinetix::targets {

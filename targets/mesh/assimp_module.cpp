@@ -3,7 +3,7 @@
 
 #include <assimp/Importer.hpp>
 
-#include "targets/mesh/assimp_module.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 namespace kinetix::targets {
 namespace {

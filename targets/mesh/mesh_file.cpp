@@ -10,10 +10,7 @@
 #include "targets/document/number.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/mesh/assimp_module.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
-#include "targets/mesh/off_mesh.hpp"
-#include "targets/mesh/ply_mesh.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 namespace kinetix::targets {
 namespace {

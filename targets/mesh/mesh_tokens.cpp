@@ -1,4 +1,4 @@
-#include "targets/mesh/mesh_tokens.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,8 +1,7 @@
-#include "targets/mesh/off_mesh.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -1,4 +1,4 @@
-#include "targets/mesh/ply_mesh.hpp"
+#include "targets/mesh/mesh_formats.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,7 +12,6 @@
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_tokens.hpp"
 
 namespace kinetix::targets {
 namespace {

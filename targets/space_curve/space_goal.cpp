@@ -189,13 +189,11 @@ const KeyTable& space_curve_target_keys() {
   return keys;
 }
 
-ReadSpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes) {
+SpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes) {
   SpacePoints read = read_space_points(target, "points", {{{"x", "y", "z"}, max_space_points}, checks_size});
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-  std::vector<Place> places = read.places;
-  return {make_from_points(std::move(read),
-                           [](std::vector<Eigen::Vector3d> p) { return SpaceGoal(std::move(p)); }),
-          std::move(places)};
+  return make_from_points(std::move(read),
+                          [](std::vector<Eigen::Vector3d> p) { return SpaceGoal(std::move(p)); });
 }
 
 }  // namespace kinetix::targets

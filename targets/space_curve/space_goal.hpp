@@ -53,16 +53,10 @@ inline constexpr std::size_t max_space_points = 5000;
 /// Every key of a `target:` section of kind space_curve.
 const KeyTable& space_curve_target_keys();
 
-/// A goal, and where its points stand in the file.
-struct ReadSpaceGoal {
-  SpaceGoal goal;
-  std::vector<Place> places;  ///< of each point
-};
-
 /// Reads the goal of a target section (read_space_points). @param notes for what is mended.
 /// @param checks_size see GoalPoints.
 /// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_space_points, or for what
 /// SpaceGoal refuses
-ReadSpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes);
+SpaceGoal read_space_goal(const Section& target, bool checks_size, std::vector<std::string>& notes);
 
 }  // namespace kinetix::targets

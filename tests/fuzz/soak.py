@@ -264,6 +264,7 @@ def make_kinds(program, folder):
                     ["import", "--hard", "hard.stl", "--soft", "damaged.stl", "--json", "-o", "out"],
                     files={"hard.stl": (folder / "printed/hard.stl").read_bytes()}),
         "fold": checked("damaged.fold", [(shapes / "miura.fold").read_bytes()], GRAPH.format(key="origami", file="damaged.fold", more="tilt_deg: 50, cell_mm: 10, "), is_text=True),
+        "cp": checked("damaged.cp", [(shapes.parents[1] / "tests/fuzz/corpus/creases/miura.cp").read_bytes()], GRAPH.format(key="origami", file="damaged.cp", more="tilt_deg: 50, cell_mm: 10, "), is_text=True),
         "dxf": checked("damaged.dxf", [(shapes / "rosette.dxf").read_bytes(), printed[".dxf"]], GRAPH.format(key="drawing", file="damaged.dxf", more=""), is_text=True),
         "svg": checked("damaged.svg", [SVG, printed[".svg"]], GRAPH.format(key="drawing", file="damaged.svg", more=""), is_text=True),
         "font": checked("fonts/damaged.ttf", [font], DISPLAY.format(what=f"glyph: {chr(0xc4)}, font: {FONT}"), spots=tables_of_font,

@@ -6,8 +6,8 @@ import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-# Folders with code that several kinds of goals share.
-shared = {"app/goals/ribs/": ("helmet", "surface")}
+# Folders and files with code that several kinds of goals share.
+shared = {"app/goals/ribs/": ("helmet", "surface"), "app/goals/strip_remedies": ("curve", "space_curve")}
 # Folder with the search of a kind, if the kind has no separate one.
 search_folders = {"helmet": "optim/ribs"}
 kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir() and f"app/goals/{path.name}/" not in shared)

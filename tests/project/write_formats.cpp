@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "app/formats/formats_page.hpp"
-#include "app/formats/key_schema.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/goals/curve/curve_search.hpp"
+#include "app/goals/strip_remedies.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
@@ -144,10 +146,11 @@ double repeats(const targets::Curve& curve, int columns) {
   return all >= full_turn ? repeats_of_full : 1;
 }
 
-/// Names the keys of `variables.beta` that tie the tilts of columns to each other; empty if none does.
-std::string tied_tilts(const CurveFile& file) {
-  std::string out = file.per == optim::Per::all ? "`per: all`" : "";
-  if (file.symmetry != optim::Symmetry::none) out += out.empty() ? "`symmetry`" : " and `symmetry`";
+/// Lists the keys of `variables.tilt` that tie the tilts of columns to each other.
+std::vector<std::string> ties_of(const CurveFile& file) {
+  std::vector<std::string> out;
+  if (file.per == optim::Per::all) out.emplace_back("per");
+  if (file.symmetry != optim::Symmetry::none) out.emplace_back("symmetry");
   return out;
 }
 
@@ -156,25 +159,17 @@ std::vector<std::string> curve_violations(const CurveFile& file, const optim::Fr
   std::vector<std::string> why = found.design.reach.obstacles;
   const double rms = found.design.error.rms;
   if (!found.narrowed.empty())
-    why.push_back(
-        fmt::format("no start whose walls stay apart came closer than {:.3g} of the diagonal; {}: use lower "
-                    "or thinner walls, or more cells",
-                    rms, found.narrowed));
-  const std::string tied = tied_tilts(file);
+    why.push_back(fmt::format("no start whose walls stay apart came closer than {:.3g} of the diagonal; {}",
+                              rms, found.narrowed));
+  const std::vector<std::string> ties = ties_of(file);
   if (why.empty())
-    why.push_back(
-        fmt::format("no start came closer than {:.3g} of the diagonal, although each single column can "
-                    "bend enough: {}",
-                    rms,
-                    tied.empty() ? "use more or smaller cells"
-                                 : "remove " + tied + ", by which their tilts depend on each other"));
+    why.push_back(fmt::format(
+        "no start came closer than {:.3g} of the diagonal, although each single column can "
+        "bend enough{}",
+        rms,
+        ties.empty() ? ""
+                     : fmt::format(": `{}` makes tilts depend on each other", fmt::join(ties, "` and `"))));
   return why;
-}
-
-/// Describes the colliding walls and how to avoid them. @pre found.contact.touches
-std::string obstacle(const optim::FreeCurveDesign& found, const model::Lattice& sheet) {
-  return describe_overlap(found.contact, found.design.design.theta, sheet) +
-         ": use lower or thinner walls, or larger cells";
 }
 
 class CurveGoal final : public Goal {
@@ -226,8 +221,25 @@ class CurveGoal final : public Goal {
             fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
                         out->error.rms, file_.shape_tolerance));
     }
-    if (found.contact.touches) out->violations.push_back(obstacle(found, run.design.structure));
+    if (found.contact.touches)
+      out->violations.push_back(
+          describe_overlap(found.contact, found.design.design.theta, run.design.structure));
+    out->distance = out->error.rms / file_.shape_tolerance;
     return out;
+  }
+
+  std::vector<targets::DocumentChanges> remedies(const Run& missed) const override {
+    const optim::FreeCurveDesign& found = outcome_of<CurveOutcome>(missed).found;
+    MissedStrip strip{.columns = file_.columns,
+                      .rows = file_.rows,
+                      .fitting_columns = found.design.reach.fitting_columns,
+                      .tilt = std::min(std::abs(file_.beta.lower), std::abs(file_.beta.upper)),
+                      .fold_angle = file_.theta,
+                      .ties = ties_of(file_),
+                      .walls_meet = found.contact.touches || !found.narrowed.empty(),
+                      .size = missed.design.structure.size()};
+    if (!file_.free_size) strip.cell_mm = file_.size.edge_mm;
+    return strip_remedies(strip);
   }
 
   /// Observes the distance of each column from the goal, after the goal is aligned with the midline.

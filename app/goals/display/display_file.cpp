@@ -7,7 +7,7 @@
 #include "app/files/process_section.hpp"
 #include "app/goals/display/display_panel.hpp"
 #include "optim/display/display_search.hpp"
-#include "targets/display/read_display.hpp"
+#include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/models/model_file.hpp"
-#include "targets/fold/read_fold.hpp"
+#include "targets/fold/fold_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -15,7 +15,7 @@ namespace kinetix::app {
 
 /// Content of a target.yaml of kind fold, with defaults filled in. Required are `kinetix: 1` and a `target`.
 ///
-///     target: {kind: fold, box: [4, 4, 4]}                     # or box_mm, net, solid: targets/fold/read_fold.hpp
+///     target: {kind: fold, box: [4, 4, 4]}                     # or box_mm, net, solid: targets/fold/fold_goal.hpp
 ///     structure: {cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}
 ///     tolerance: {angle_deg: 0.1, shape: 0.02, verify: 0.02}

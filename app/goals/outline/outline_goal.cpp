@@ -122,6 +122,7 @@ class OutlineGoal final : public Goal {
     auto out = std::make_shared<OutlineMeasure>();
     out->error = of == StateOf::model ? outline.design.error
                                       : error_of(outline, shown(run.own, outline.turn), state, edge_mm);
+    out->distance = outline_excess(file_, out->error);
     out->violations = of == StateOf::physics ? violations(file_, out->error, describe(of))
                                              : all_violations(file_, outline, out->error, describe(of));
     return out;
@@ -143,6 +144,10 @@ class OutlineGoal final : public Goal {
           {{body}, state[body].p, motion.R.transpose() * normal, at.normal.dot(place.head<2>() - at.point)});
     }
     return out;
+  }
+
+  std::vector<targets::DocumentChanges> remedies(const Run& missed) const override {
+    return outline_remedies(file_, outcome_of<OutlineOutcome>(missed).design);
   }
 
  private:

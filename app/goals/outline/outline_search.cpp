@@ -1,222 +1,21 @@
 #include "app/goals/outline/outline_search.hpp"
 
-#include <fmt/format.h>
-
-#include "app/files/file_header.hpp"
-#include "app/files/process_section.hpp"
 #include "model/base/parallel_runs.hpp"
-#include "model/lattice/planar/regular_lattices.hpp"
+#include "optim/outline/outline_problem.hpp"
 
 namespace kinetix::app {
 namespace {
 
-namespace value = targets::value;
-
-// Cell edges: a living hinge at the face of a wall that is a sixth of the edge thick.
-constexpr double default_offset = 0.08;
-// Cells: a search takes about a second for a thousand cells and a minute for this number.
-constexpr int most_cells = 10'000;
-// Values of the key `trim`.
-constexpr targets::Word<bool> trims[] = {{"outline", true}, {"none", false}};
-// Offset of a hinge, cell edges: half a wall to either side.
-const targets::Bounds offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
-// Theta, degrees: at 45 basic cells are closed.
-const targets::Bounds fold_range = targets::between(0, 45, "degrees");
-
-targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
-  std::vector<targets::Key> keys = lattice_choice_keys(true);
-  keys.insert(
-      keys.begin() + 1,
-      cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
-                "[columns, rows] of the panel, or of the rectangle that it is cut from"));
-  keys.push_back(
-      {"trim", value::choice(trims),
-       targets::otherwise("`none` with `cells` or `target.flat`, else `outline`"),
-       "`outline`: the flat panel is cut to the shape of the outline. `none`: a whole rectangle of cells"});
-  keys.push_back(cell_mm_key(
-      targets::otherwise("gives the pressed panel the size of the outline. If the key is given, the "
-                         "outline is scaled to the panel")));
-  keys.push_back(wall_mm_key());
-  return targets::KeyTable(std::move(keys));
-}
-
-targets::KeyTable outline_variables_keys() {
-  const targets::KeyTable t(
-      {{"range", &OutlineFile::t, value::range(targets::place_along),
-        "allowed positions of hinges along their walls. The end nearer to 0.5 limits both sides"}});
-  const targets::KeyTable theta(
-      {{"range_deg", &OutlineFile::theta, value::angle_range(fold_range),
-        "fold angle of the pressed state. The search tries several within the range"}});
-  return targets::KeyTable({
-      {"offset_mm", &OutlineFile::offset_mm, value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
-       "largest lateral offset of a hinge, to either side"},
-      targets::Key("hinge_position", t, "positions of the hinges along their walls").formerly("t"),
-      targets::Key("fold_angle", theta, "fold angle of the pressed panel").formerly("theta"),
-  });
-}
-
-void read_cells_of(const targets::Section& structure, OutlineFile& file) {
-  const auto node = structure.optional("cells");
-  file.trims = !node && !file.flat;
-  structure.read("trim", file.trims, trims);
-  if (!node) return;
-  const auto sides = as_rectangle(read_cells(*node));
-  if (!sides)
-    throw node->error("the cells do not fill a rectangle, which an outline needs. Give [columns, rows]");
-  if ((*sides)[0] * (*sides)[1] > most_cells)
-    throw node->error("there are too many cells for a search. Give at most 10000");
-  file.columns = (*sides)[0];
-  file.rows = (*sides)[1];
-}
-
-void read_structure(const targets::Section& root, OutlineFile& file) {
-  const targets::Section structure = root.section("structure");
-  file.lattice = read_lattice_choice(structure, true);
-  read_cells_of(structure, file);
-  structure.read("cell_mm", file.cell_mm);
-  const targets::Section wall = structure.section("wall_mm");
-  wall.read_length("thickness", file.thickness_mm, file.cell_mm.value_or(file.folded.diagonal()));
-  wall.read("height", file.height_mm);
-  if (file.flat && file.trims)
-    throw root.section("structure")
-        .error(
-            "`trim: outline` cannot be combined with `target.flat`, which sets the flat outline. Remove one "
-            "of the two keys");
-}
-
-void read_variables(const targets::Section& root, OutlineFile& file) {
-  root.read_into(file, file.cell_mm.value_or(file.folded.diagonal()));
-  if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
-    throw root.section("variables")
-        .section("hinge_position")
-        .optional("range")
-        ->error("the range does not contain 0.5, where hinges start. Give a range around 0.5");
-}
-
-/// Limits the offset to the largest at which a made hinge fits on its wall. @throws InvalidInput for a larger offset_mm
-void limit_outline_offset(const targets::Section& root, OutlineFile& file) {
-  if (!file.hinge.made || !file.cell_mm) return;
-  const model::CellSize size = file.size(*file.cell_mm);
-  const double most_mm = largest_offset_mm(*file.hinge.made, size);
-  if (const auto asked = root.section("variables").optional("offset_mm");
-      asked && *file.offset_mm > most_mm * (1 + 1e-9))
-    throw asked->error(offset_limit_text(*file.hinge.made, size));
-  file.offset_mm = std::min(file.offset(*file.cell_mm) * *file.cell_mm, most_mm);
-}
-
-}  // namespace
-
-model::CellSize OutlineFile::size(double edge_mm) const {
-  model::CellSize size = default_size(edge_mm);
-  size.thickness_mm = thickness_mm.value_or(size.thickness_mm);
-  size.height_mm = height_mm.value_or(size.height_mm);
-  return size;
-}
-
-double OutlineFile::offset(double edge_mm) const { return offset_mm ? *offset_mm / edge_mm : default_offset; }
-
-const targets::KeyTable& outline_keys() {
-  static const OutlineFile usual;
-  static const targets::KeyTable keys = goal_keys(
-      {
-          {"target", targets::outline_target_keys(), "the goal", targets::needed},
-          {"structure", outline_structure_keys(usual), "flat panel"},
-          {"variables", outline_variables_keys(), "quantities that the search changes, with their ranges"},
-          {"tolerance",
-           targets::KeyTable({
-               {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
-                "limit of [outline_rms](#outline_rms-and-iou), relative to the diagonal of the outline's "
-                "bounding box"},
-               {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
-                "minimum of [iou](#outline_rms-and-iou)"},
-               verify_key(),
-           }),
-           "limits for a met goal"},
-      },
-      sized_hinge);
-  return keys;
-}
-
-OutlineFile read_outline_file(const targets::Node& node) {
-  const targets::Section root = read_root(node, outline_keys());
-  const targets::Section target = root.section("target");
-  OutlineFile file;
-  target.required("points", "the path of a file or a list of points [[x, y], ...] in mm");
-  const bool checks_size = !root.section("structure").optional("cell_mm");
-  file.folded = targets::read_outline(target, "points", checks_size, file.input_notes);
-  if (target.optional("flat"))
-    file.flat = targets::read_outline(target, "flat", checks_size, file.input_notes);
-  read_structure(root, file);
-  read_variables(root, file);
-  read_settings(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns), file);
-  read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
-  if (!file.hinge_parts.empty())
-    throw root.section("hinge").optional("except")->key_error(
-        "the hinges of a panel are upright, so it has no creases. Remove the key");
-  limit_outline_offset(root, file);
-  return file;
-}
-
-namespace {
-
-using model::LatticeCell;
-using Cells = std::vector<LatticeCell>;
-
 constexpr int max_tried_cells = 1500;  // larger panels try one cut only: a search takes seconds
 constexpr double same_size = 1e-3;     // ratio: with less difference, walls and offsets match the search
 constexpr std::size_t max_cuts = 12;   // cuts that are fitted: as many as one orientation has
-constexpr double as_drawn = 1e-9;      // rad: smaller angles do not turn the outline
 constexpr double as_good = 0.01;       // ratio of errors: mirror images differ by less
+constexpr double as_near = 1.01;       // ratio of errors of a panel and one with larger cells
+// Columns or rows of panels with larger cells whose shapes are starts. The last one starts all larger panels.
+constexpr int start_sides[] = {8, 12, 16, 20};
 // Rounding step of a cut's error, ratio. Cuts that are rotations of each other get equal errors, so their order does
 // not depend on the orientation of the drawing.
 constexpr double same_miss = 1e-6;
-
-/// Returns the cell edge (mm) of the panel that these cells make: the file's, else an estimate from areas.
-double edge_of(const OutlineFile& file, const Cells& cells) {
-  if (file.cell_mm) return *file.cell_mm;
-  const model::PlanarStructure panel = planar_structure(make_sheet(file.lattice, cells, {1, 0.1, 1}));
-  double area = 0;
-  for (const model::GraphFace& face : panel.faces)
-    area += signed_area(face.vertices.size(),
-                        [&](std::size_t k) { return panel.graph.vertices[face.vertices[k]]; });
-  if (file.flat) return std::sqrt(file.flat->area() / area);
-  return std::sqrt(file.folded.area() / area) / std::cos(file.theta[1]);
-}
-
-/// Returns the possible cuts of the lattice along an outline, at least one. @throws InvalidInput if there is none
-std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& folded) {
-  const auto& [lattice, angle] = file.lattice.lattice ? std::pair(file.lattice.lattice, file.lattice.angle)
-                                                      : std::pair(&model::rhombus_lattice, pi / 2);
-  std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, folded);
-  if (cuts.empty())
-    throw InvalidInput("no cells of the lattice are within the outline. Give more `structure.cells`");
-  return cuts;
-}
-
-/// Returns the angles (rad) that turn an outline onto the lattice, in steps of 45 deg from the outline's direction.
-/// @param steps 4 if the panel has two-fold rotational symmetry, else 8
-std::vector<double> turns_of(const targets::Outline& outline, int steps) {
-  const std::optional<double> direction = direction_of(outline);
-  if (!direction) return {0};
-  std::vector<double> out;
-  for (int k = 0; k < steps; ++k) {
-    const double turn = std::remainder(k * pi / 4 - *direction, 2 * pi);
-    out.push_back(std::abs(turn) < as_drawn ? 0 : turn);
-  }
-  return out;
-}
-
-/// Returns the boundary of a panel at rest, scaled to the area of the outline and centred on it.
-std::vector<Eigen::Vector2d> boundary_over(const targets::Outline& outline,
-                                           const model::PlanarStructure& panel) {
-  std::vector<Eigen::Vector2d> rim;
-  for (const int v : outer_boundary(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
-  const double area = signed_area(rim.size(), [&](std::size_t k) { return rim[k]; });
-  Eigen::AlignedBox2d box;
-  for (Eigen::Vector2d& p : rim) box.extend(p *= std::sqrt(outline.area() / area));
-  for (Eigen::Vector2d& p : rim) p += outline.middle() - box.center();
-  return rim;
-}
 
 /// Orientation of the outline on the lattice, with a cut of the panel.
 struct Lay {
@@ -240,29 +39,39 @@ class OutlineSearch {
 
   FoundOutline find() {
     FoundOutline found;
-    if (flat_) flat_ = targets::turned(*file_.flat, turn_of_flat());
+    if (flat_) turn_flat(find_turn_of_flat());
     const Lay lay = file_.trims ? best_cut(found.cuts) : best_turn();
-    const Cells& cells = lay.cells;
-    found.turn = lay.turn;
-    folded_ = targets::turned(file_.folded, lay.turn);
-    double edge_mm = edge_of(file_, cells), fitted_edge_mm = edge_mm;
-    bool is_same = false;
-    for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
-      optim::OutlineDesign design =
-          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(fitted_edge_mm))),
-              options_of(fitted_edge_mm));
-      if (pass > 0 && design.stopped) {  // an interrupted pass is worse than the one before it
-        found.design.stopped = true;
-        break;
-      }
-      found.design = std::move(design);
-      edge_mm = fitted_edge_mm;
-      if (!file_.flat && !file_.cell_mm) fitted_edge_mm = found.design.scale;
-      is_same = same_in_edges(edge_mm, fitted_edge_mm);
-    }
-    // After a stop, walls and offsets belong to the edge with which the design was fitted.
-    place(found.design.stopped && !is_same ? edge_mm : fitted_edge_mm, cells, found);
+    const int cuts = found.cuts;
+    found = fitted(lay, edge_of(file_, lay.cells), nullptr);
+    found.cuts = cuts;
     return found;
+  }
+
+  /// Finds a design that starts at the shape of one with larger cells.
+  FoundOutline refine(const FoundOutline& coarse) {
+    if (flat_) turn_flat(coarse.flat_turn);
+    const Lay lay = {coarse.turn, file_.trims ? cells_within(file_, panel_of(coarse.cells, coarse.edge_mm),
+                                                             ratio_to(coarse))
+                                              : model::lattice_cells(file_.columns, file_.rows)};
+    const bool is_open = !file_.cell_mm && !file_.flat;
+    return fitted(lay, is_open ? ratio_to(coarse) * coarse.design.scale : edge_of(file_, lay.cells), &coarse);
+  }
+
+  /// Returns whether a design is farther from the outlines than a panel with larger cells, or its walls collide.
+  static bool is_worse(const FoundOutline& found, const FoundOutline& coarse) {
+    const optim::OutlineDesign &design = found.design, &other = coarse.design;
+    return !design.clear || (other.clear && (design.error.rms > as_near * other.error.rms ||
+                                             design.flat.rms > as_near * other.flat.rms));
+  }
+
+  /// Returns whether the first design is better. The goal counts first, then a panel with larger cells, which should not
+  /// be nearer to the outlines, and then the distance from them.
+  bool is_better(const FoundOutline& a, const FoundOutline& b, const FoundOutline& coarse) const {
+    const auto rank = [&](const FoundOutline& found) {
+      return found.design.clear + 2 * is_met(file_, found.design) + (is_worse(found, coarse) ? 0.0 : 0.5);
+    };
+    const double rank_a = rank(a), rank_b = rank(b);
+    return rank_a != rank_b ? rank_a > rank_b : miss(a.design) < (1 - as_good) * miss(b.design);
   }
 
  private:
@@ -283,12 +92,61 @@ class OutlineSearch {
     return options;
   }
 
+  void turn_flat(double turn) {
+    flat_turn_ = turn;
+    flat_ = targets::turned(*file_.flat, turn);
+  }
+
+  /// Returns the cell edges of a coarser panel per cell edge of this one.
+  double ratio_to(const FoundOutline& coarse) const {
+    return static_cast<double>(std::max(coarse.columns, coarse.rows)) / std::max(file_.columns, file_.rows);
+  }
+
+  /// Fits hinges and theta of a cut. @param edge_mm first cell edge   @param coarse start; null: none
+  FoundOutline fitted(const Lay& lay, double edge_mm, const FoundOutline* coarse) {
+    FoundOutline found;
+    found.cells = lay.cells;
+    found.columns = file_.columns;
+    found.rows = file_.rows;
+    found.turn = lay.turn;
+    found.flat_turn = flat_turn_;
+    folded_ = targets::turned(file_.folded, lay.turn);
+    double fitted_edge_mm = edge_mm;
+    bool is_same = false;
+    for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
+      const model::PlanarStructure panel = panel_of(lay.cells, fitted_edge_mm);
+      optim::OutlineDesign design =
+          coarse ? fit_from(*coarse, panel) : fit(panel, options_of(fitted_edge_mm));
+      if (pass > 0 && design.stopped) {  // an interrupted pass is worse than the one before it
+        found.design.stopped = true;
+        break;
+      }
+      found.design = std::move(design);
+      edge_mm = fitted_edge_mm;
+      if (!file_.flat && !file_.cell_mm) fitted_edge_mm = found.design.scale;
+      is_same = same_in_edges(edge_mm, fitted_edge_mm);
+    }
+    // After a stop, walls and offsets belong to the edge with which the design was fitted.
+    found.edge_mm = found.design.stopped && !is_same ? edge_mm : fitted_edge_mm;
+    place(found.edge_mm, lay.cells, found);
+    return found;
+  }
+
+  optim::OutlineDesign fit_from(const FoundOutline& coarse, const model::PlanarStructure& panel) const {
+    const optim::OutlineShape start =
+        refined_shape(panel_of(coarse.cells, coarse.edge_mm), coarse.design.shape, panel);
+    optim::OutlineOptions options = options_of(panel.size.edge_mm);
+    options.theta = {coarse.design.theta, coarse.design.theta};
+    options.start = &start;
+    return fit(panel, options);
+  }
+
   optim::OutlineDesign fit(const model::PlanarStructure& panel, const optim::OutlineOptions& options) const {
     return fit_outline(panel, folded_, flat_ ? &*flat_ : nullptr, options, run_.progress);
   }
 
   /// Returns the turn of the flat outline with which the rectangle at rest is nearest to it, rad.
-  double turn_of_flat() const {
+  double find_turn_of_flat() const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(*file_.flat, 4))
       lays.push_back({turn, model::lattice_cells(file_.columns, file_.rows)});
@@ -374,6 +232,10 @@ class OutlineSearch {
     const optim::OutlineDesign design =
         fit_outline(panel_of(lay.cells, edge_mm), targets::turned(file_.folded, lay.turn),
                     flat_ ? &*flat_ : nullptr, options);
+    return miss(design);
+  }
+
+  double miss(const optim::OutlineDesign& design) const {
     return miss(design.error) + (flat_ ? miss(design.flat) : 0) + (design.clear ? 0 : 10);
   }
 
@@ -399,19 +261,85 @@ class OutlineSearch {
   const RunOptions& run_;
   targets::Outline folded_;               ///< turned onto the panel
   std::optional<targets::Outline> flat_;  ///< turned onto the panel
+  double flat_turn_ = 0;                  ///< rotation of the flat outline, rad
 };
 
 }  // namespace
 
-OutlineStart outline_start(const OutlineFile& file) {
-  OutlineStart start{file.trims ? cuts_of(file, file.folded).front()
-                                : model::lattice_cells(file.columns, file.rows)};
-  start.edge_mm = edge_of(file, start.cells);
-  return start;
+bool is_met(const OutlineFile& file, const optim::OutlineDesign& design) {
+  const auto meets = [&](const targets::OutlineError& error) {
+    return error.rms <= file.shape_tolerance && error.iou >= file.iou_tolerance;
+  };
+  return design.clear && meets(design.error) && (!file.flat || meets(design.flat));
+}
+
+OutlineFile with_cells(OutlineFile file, int side) {
+  const double share = static_cast<double>(side) / std::max(file.columns, file.rows);
+  file.columns = std::max(1, static_cast<int>(std::lround(share * file.columns)));
+  file.rows = std::max(1, static_cast<int>(std::lround(share * file.rows)));
+  for (std::optional<double>* mm : {&file.cell_mm, &file.thickness_mm, &file.height_mm, &file.offset_mm})
+    if (*mm) **mm /= share;
+  return file;
+}
+
+namespace {
+
+/// Returns empty if the cells along the coarser panel make no panel, or after a stop.
+std::optional<FoundOutline> refine(const OutlineFile& file, const RunOptions& options,
+                                   const FoundOutline& coarse) try {
+  FoundOutline found = OutlineSearch(file, options).refine(coarse);
+  return found.design.stopped ? std::nullopt : std::optional(std::move(found));
+} catch (const InvalidInput&) {
+  return std::nullopt;
+}
+
+/// Searches again from the shape of a coarser panel, and returns the better design. @param found without such a start;
+/// empty: searched only if the refined panel is worse than the coarser one   @param coarse null: none
+FoundOutline search_again(const OutlineFile& file, const RunOptions& options,
+                          std::optional<FoundOutline> found, const FoundOutline* coarse) {
+  std::optional<FoundOutline> refined;
+  if (coarse && !(found && found->design.stopped)) refined = refine(file, options, *coarse);
+  if (!found && refined && !OutlineSearch::is_worse(*refined, *coarse)) return *refined;
+  if (!found) found = OutlineSearch(file, options).find();
+  if (!refined || !OutlineSearch(file, options).is_better(*refined, *found, *coarse)) return *found;
+  refined->cuts = found->cuts;
+  return *refined;
+}
+
+/// Searches panels with fewer cells. Empty if there are none, or after a stop.
+std::optional<FoundOutline> search_coarse(const OutlineFile& file, const RunOptions& options) {
+  RunOptions silent;
+  silent.threads = options.threads;
+  silent.seed = options.seed;
+  silent.stop = options.stop;
+  std::optional<FoundOutline> coarse;
+  for (const int side : start_sides) {
+    if (side >= std::max(file.columns, file.rows)) break;
+    try {
+      const OutlineFile fewer = with_cells(file, side);
+      coarse = search_again(fewer, silent, search_alone(fewer, silent), coarse ? &*coarse : nullptr);
+    } catch (const InvalidInput&) {
+      coarse.reset();  // too few cells for the outline, or for their walls
+    }
+    if (options.stop.stop_requested()) return std::nullopt;
+  }
+  return coarse;
+}
+
+}  // namespace
+
+FoundOutline search_alone(const OutlineFile& file, const RunOptions& options) {
+  return OutlineSearch(file, options).find();
 }
 
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options) {
-  return OutlineSearch(file, options).find();
+  // A whole rectangle of many cells is seldom better than a refined one, and takes longest.
+  const bool is_large = !file.trims && std::max(file.columns, file.rows) > std::end(start_sides)[-1];
+  std::optional<FoundOutline> found;
+  if (!is_large) found = search_alone(file, options);
+  if (found && found->design.stopped) return *found;
+  const std::optional<FoundOutline> coarse = search_coarse(file, options);
+  return search_again(file, options, std::move(found), coarse ? &*coarse : nullptr);
 }
 
 }  // namespace kinetix::app

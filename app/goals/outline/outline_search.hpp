@@ -1,53 +1,40 @@
 #pragma once
 
-#include "app/files/goal_settings.hpp"
-#include "app/files/lattice_section.hpp"
+#include "app/goals/outline/outline_file.hpp"
 #include "app/run/run_options.hpp"
+#include "model/lattice/planar/planar_structure.hpp"
 #include "optim/outline/fit_outline.hpp"
-#include "targets/outline/outline.hpp"
+#include "targets/document/edit_document.hpp"
 
 namespace kinetix::app {
 
-/// Columns and rows of a panel whose file gives none.
-inline constexpr int usual_side = 12;
+using Cells = std::vector<model::LatticeCell>;
 
-/// Content of a target.yaml of kind outline, with defaults filled in. Angles in radians, lengths in mm. Required are
-/// `kinetix: 1` and a `target`.
-///
-///     target: {kind: outline, points: disc.csv, flat: square.csv}
-///     structure: {lattice: square, cells: [12, 12], trim: none, cell_mm: 10}
-///     variables: {offset_mm: 0.8, t: {range: [0.12, 0.88]}, theta: {range_deg: [20, 40]}}
-///     tolerance: {shape: 0.015, iou: 0.95, verify: 0.02}
-struct OutlineFile : GoalSettings {
-  targets::Outline folded{{{0, 0}, {1, 0}, {0, 1}}};  ///< target.points
-  std::optional<targets::Outline> flat = {};          ///< target.flat
-  LatticeChoice lattice = {};                    ///< structure.lattice, angle_deg, rim (closed by default)
-  int columns = usual_side, rows = usual_side;   ///< structure.cells: the panel before it is trimmed; >= 1
-  bool trims = true;                             ///< structure.trim: the flat panel is cut to the outline
-  std::optional<double> cell_mm = {};            ///< nullopt: the panel gets the size of the outline
-  std::optional<double> thickness_mm = {};       ///< structure.wall_mm
-  std::optional<double> height_mm = {};          ///< structure.wall_mm
-  std::optional<double> offset_mm = {};          ///< variables.offset_mm; nullopt: 0.08 cells
-  std::array<double, 2> t = {0.12, 0.88};        ///< variables.t.range, fractions of a wall
-  std::array<double, 2> theta = {0.35, 0.6981};  ///< variables.theta.range_deg, rad, within (0, 45) deg
-  double shape_tolerance = 0.015;  ///< rms error of boundary vertices, over the outline's diagonal, (0, 1]
-  double iou_tolerance = 0.95;     ///< least intersection over union, (0, 1]
+/// Returns the cell edge (mm) of the panel that these cells make: the file's, else an estimate from areas.
+double edge_of(const OutlineFile& file, const Cells& cells);
 
-  /// Returns the size of cells and walls for this cell edge, mm.
-  model::CellSize size(double edge_mm) const;
-  /// Returns the largest offset in cell edges, for this cell edge in mm.
-  double offset(double edge_mm) const;
+/// Returns the possible cuts of the lattice along an outline, at least one. @throws InvalidInput if there is none
+std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& folded);
+
+/// Returns the cells whose middle is within a panel with larger cells, at rest.
+/// @param ratio cell edges of that panel per cell edge of the file's
+Cells cells_within(const OutlineFile& file, const model::PlanarStructure& coarse, double ratio);
+
+/// Returns the angles (rad) that turn an outline onto the lattice, in steps of 45 deg from the outline's direction.
+/// @param steps 4 if the panel has two-fold rotational symmetry, else 8
+std::vector<double> turns_of(const targets::Outline& outline, int steps);
+
+/// Returns the boundary of a panel at rest, scaled to the area of the outline and centred on it.
+std::vector<Eigen::Vector2d> boundary_over(const targets::Outline& outline,
+                                           const model::PlanarStructure& panel);
+
+/// First panel of a search, for the forecast.
+struct OutlineStart {
+  Cells cells;         ///< cells of the first cut of the lattice
+  double edge_mm = 0;  ///< from the file, else from the areas of outline and panel
 };
-
-/// Returns all keys of a target.yaml of kind outline.
-const targets::KeyTable& outline_keys();
-
-/// Reads the target. @param root a target whose kind is outline
-/// @throws InvalidInput for whatever formats.md does not allow
-OutlineFile read_outline_file(const targets::Node& root);
-
-/// Makes the goal of a panel whose boundary takes a shape when it is pressed: search, closed form and simulation.
-std::unique_ptr<Goal> make_goal(OutlineFile file);
+/// Returns the first panel of a search. @throws InvalidInput if no cells of the lattice are within the outline
+OutlineStart outline_start(const OutlineFile& file);
 
 /// Result of an outline search.
 struct FoundOutline {
@@ -55,22 +42,38 @@ struct FoundOutline {
   optim::OutlineDesign design;
   int cuts = 0;     ///< number of cuts of the lattice that were tried; 0: the panel is a whole rectangle
   double turn = 0;  ///< rotation of the outline from the drawing to the panel, rad
+  Cells cells;      ///< of the lattice that the panel is cut from
+  int columns = 0, rows = 0;  ///< of the panel before it is trimmed
+  double edge_mm = 0;         ///< cell edge
+  double flat_turn = 0;       ///< rotation of the flat outline onto the panel, rad
 };
+
+/// Returns whether a design meets the goal of a file.
+bool is_met(const OutlineFile& file, const optim::OutlineDesign& design);
+
+/// Returns the same goal with another number of cells, of the same size in all. Lengths that the file gives for cells
+/// grow or shrink with them. @param side the larger of columns and rows
+OutlineFile with_cells(OutlineFile file, int side);
 
 /// Runs the search of a file. First it chooses the orientation of the outline on the lattice and the cut of the lattice
 /// that are nearest to the outline. Then it fits hinges and theta.
 ///
 /// The orientations to try follow from the shape of the outline (targets::direction_of). The panel therefore does not
 /// depend on the orientation of the drawing. A disc keeps the orientation of the drawing.
+///
+/// Panels with 8, 12, 16 and 20 columns or rows, if they are fewer than the file's, are fitted first. Each starts at
+/// the shape of the one before it, too, and the better design counts. More cells are then seldom worse.
 /// @throws InvalidInput for a panel that its sizes do not allow
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options);
+/// Runs the search without panels of fewer cells.
+FoundOutline search_alone(const OutlineFile& file, const RunOptions& options);
 
-/// First panel of a search, for the forecast.
-struct OutlineStart {
-  std::vector<model::LatticeCell> cells;  ///< cells of the first cut of the lattice
-  double edge_mm = 0;                     ///< from the file, else from the areas of outline and panel
-};
-/// Returns the first panel of a search. @throws InvalidInput if no cells of the lattice are within the outline
-OutlineStart outline_start(const OutlineFile& file);
+/// Returns how far an outline is from the goal, relative to the tolerances of its file: at most 1 if it is met.
+double outline_excess(const OutlineFile& file, const targets::OutlineError& error);
+
+/// Returns changes of its file that may bring a panel nearer to its outline: trimmed cells, more cells, and then other
+/// lattices, few cells first.
+std::vector<targets::DocumentChanges> outline_remedies(const OutlineFile& file,
+                                                       const optim::OutlineDesign& missed);
 
 }  // namespace kinetix::app

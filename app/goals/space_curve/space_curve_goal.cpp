@@ -5,6 +5,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
+#include "app/goals/strip_remedies.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/goal.hpp"
@@ -169,14 +170,6 @@ void check_length(const targets::Section& root, const SpaceCurveFile& file) {
                           v.columns, v.size.edge_mm, least, most, file.wanted.length()));
 }
 
-void check_reach(const SpaceCurveFile& file, const targets::Node& points, const std::vector<Place>& places) {
-  const auto found = points.located([&] { return obstacle(file.wanted, file.variables); });
-  if (!found) return;
-  const auto& arcs = file.wanted.line().arcs();
-  const auto after = std::upper_bound(arcs.begin(), arcs.end(), found->arc_mm) - arcs.begin();
-  throw InvalidInput(found->why, places[std::min<std::size_t>(after, places.size()) - 1]);
-}
-
 }  // namespace
 
 const targets::KeyTable& space_curve_keys() {
@@ -206,15 +199,14 @@ SpaceCurveFile read_space_curve_file(const targets::Node& node) {
   const targets::Node points =
       target.required("points", "the path of a file or a list of points [[x, y, z], ...] in mm");
   std::vector<std::string> notes;
-  targets::ReadSpaceGoal goal =
-      targets::read_space_goal(target, !root.section("structure").optional("cell_mm"), notes);
-  SpaceCurveFile file(std::move(goal.goal));
+  SpaceCurveFile file(
+      targets::read_space_goal(target, !root.section("structure").optional("cell_mm"), notes));
   file.input_notes = std::move(notes);
   read_variables(root, file);
   read_structure(root, file);
   root.read_into(file);
   check_length(root, file);
-  check_reach(file, points, goal.places);
+  file.obstacle = points.located([&] { return obstacle(file.wanted, file.variables); });
   read_hinges(root, file.variables.free_edge ? std::nullopt : std::optional(file.variables.size), file);
   read_settings(root, file.variables.size.edge_mm, file);
   return file;
@@ -312,15 +304,19 @@ struct SpaceCurveOutcome final : GoalOutcome {
 };
 
 /// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "simulation"
-std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
+std::vector<std::string> violations(const SpaceCurveOutcome& outcome, const targets::SpaceError& error,
                                     const std::string& who) {
-  if (error.rms <= file.shape_tolerance) return {};
-  return {fmt::format("{}: rms {:.3g} of the goal's diagonal; at most {:g} is allowed: use more columns", who,
-                      error.rms, file.shape_tolerance)};
+  const double tolerance = outcome.file.shape_tolerance;
+  if (error.rms <= tolerance) return {};
+  return {fmt::format("{}: rms {:.3g} of the goal's diagonal; at most {:g} is allowed{}", who, error.rms,
+                      tolerance, outcome.found.obstacle ? "; " + outcome.found.obstacle->why : "")};
 }
 
 // Search time in s for 96 columns, measured; it grows with the third power of their number.
 constexpr double seconds_of_96 = 0.3;
+
+// Searches for a goal out of reach at most: two directions, and up to four narrowings at each of five fold angles.
+constexpr double searches_of_nearest = 26;
 
 // Simulated time in s per column until the ends of a strip driven at its middle are at rest, measured.
 constexpr double settling_seconds_per_column = 0.06;
@@ -337,6 +333,10 @@ class SpaceCurveGoal final : public Goal {
     Forecast out{sheet_of(model::ExactDesign<double>::basic(columns, 1), file_.variables.size)};
     out.folded_mm = model::box_of(file_.wanted.points()).sizes();
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
+    if (file_.obstacle) {
+      out.search_s *= searches_of_nearest;
+      out.notes.push_back("the strip will miss the curve or be at its limits: " + file_.obstacle->why);
+    }
     add_settings(file_, out);
     if (file_.robust) out.search_s *= designs_of_robust_search(tried_theta(), file_.hinge);
     return out;
@@ -363,13 +363,25 @@ class SpaceCurveGoal final : public Goal {
     auto out = std::make_shared<SpaceCurveMeasure>();
     out->midline = optim::space_midline(aligned(state, run.own));
     out->error = space_error(out->midline, file_.wanted, outcome.place);
-    out->violations = violations(outcome.file, out->error, describe(of));
+    out->violations = violations(outcome, out->error, describe(of));
+    out->distance = out->error.rms / outcome.file.shape_tolerance;
     const model::ContactLimit& contact = outcome.found.contact;
     if (of != StateOf::physics && contact.touches)
-      out->violations.push_back(
-          describe_overlap(contact, outcome.found.design.theta, run.design.structure) +
-          ": use lower or thinner walls, or another number of columns: where cell_mm is given, fewer");
+      out->violations.push_back(describe_overlap(contact, outcome.found.design.theta, run.design.structure));
     return out;
+  }
+
+  std::vector<targets::DocumentChanges> remedies(const Run& missed) const override {
+    const optim::SpaceVariables& v = file_.variables;
+    MissedStrip strip{.columns = v.columns,
+                      .tilt = v.beta,
+                      .fold_angle = v.theta,
+                      .hinge_position = std::min(v.t[1], 1 - v.t[0]),
+                      .walls_meet = outcome_of<SpaceCurveOutcome>(missed).found.contact.touches,
+                      .size = missed.design.structure.size()};
+    if (!v.free_edge) strip.cell_mm = v.size.edge_mm;
+    strip.is_steep = file_.obstacle && file_.obstacle->climbs;
+    return strip_remedies(strip);
   }
 
   /// Observes the offset of each column from the nearest point of the goal, in two directions.

@@ -15,16 +15,17 @@ namespace kinetix::app {
 struct SpaceCurveFile : GoalSettings {
   explicit SpaceCurveFile(targets::SpaceGoal goal) : wanted(std::move(goal)) {}
 
-  targets::SpaceGoal wanted;             ///< target.points
-  optim::SpaceVariables variables = {};  ///< structure and variables
-  double shape_tolerance = 0.01;         ///< largest shape_rms, over the goal's bounding-box diagonal, (0, 1]
+  targets::SpaceGoal wanted;                          ///< target.points
+  optim::SpaceVariables variables = {};               ///< structure and variables
+  std::optional<optim::SpaceObstacle> obstacle = {};  ///< to a strip with these variables
+  double shape_tolerance = 0.01;  ///< largest shape_rms, over the goal's bounding-box diagonal, (0, 1]
 };
 
 /// Returns all keys of a target.yaml of kind space_curve.
 const targets::KeyTable& space_curve_keys();
 
 /// Reads the target. @param root a target whose kind is space_curve
-/// @throws InvalidInput for whatever formats.md does not allow. For a goal out of reach, the error names the point.
+/// @throws InvalidInput for whatever formats.md does not allow
 SpaceCurveFile read_space_curve_file(const targets::Node& root);
 
 /// Makes the goal: the search, the closed form, and the simulation of its folding.

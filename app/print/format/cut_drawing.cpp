@@ -1,8 +1,10 @@
 #include "app/print/format/cut_drawing.hpp"
 
 #include <boost/polygon/polygon.hpp>
+#include <map>
 
 #include "app/print/format/sheet_drawing.hpp"
+#include "targets/drawing/cut_sheet.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -138,16 +140,84 @@ void engrave_number(const PrintSheet& sheet, int h, CutDrawing& drawing) {
   engrave(text, middle, is_upside_down ? Vector2d(-right) : right, height, drawing);
 }
 
+/// Lines as a graph of their ends, from which ways are taken one after the other.
+class LineChains {
+ public:
+  explicit LineChains(const std::vector<targets::DrawnLine>& lines) : lines_(lines), is_done_(lines.size()) {
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      for (const Vector2d& end : {lines[k].from, lines[k].to}) at_[key(end)].push_back(k);
+  }
+
+  /// Returns the longest way through ends of two lines that holds a line; empty if it was taken before.
+  CutRing take(std::size_t first) {
+    if (is_done_[first]) return {};
+    is_done_[first] = true;
+    CutRing back{lines_[first].from}, way{lines_[first].from, lines_[first].to};
+    extend(way);
+    if (way.front() == way.back()) return way;
+    extend(back);
+    std::reverse(back.begin(), back.end());
+    back.insert(back.end(), way.begin() + 1, way.end());
+    return back;
+  }
+
+ private:
+  static std::pair<double, double> key(const Vector2d& p) { return {p.x(), p.y()}; }
+
+  void extend(CutRing& way) {
+    for (;;) {
+      const std::vector<std::size_t>& lines = at_[key(way.back())];
+      const auto next = std::find_if(lines.begin(), lines.end(), [&](std::size_t k) { return !is_done_[k]; });
+      if (lines.size() != 2 || next == lines.end()) return;
+      is_done_[*next] = true;
+      way.push_back(lines_[*next].from == way.back() ? lines_[*next].to : lines_[*next].from);
+    }
+  }
+
+  const std::vector<targets::DrawnLine>& lines_;
+  std::vector<bool> is_done_;
+  std::map<std::pair<double, double>, std::vector<std::size_t>> at_;
+};
+
+CutDrawing drawing_of_cuts(const targets::CutSheet& sheet) {
+  CutDrawing drawing;
+  Eigen::AlignedBox2d box;
+  const bool has_green = targets::has_green_cuts(sheet.lines);
+  std::vector<targets::DrawnLine> cuts;
+  for (const targets::DrawnLine& line : sheet.lines) {
+    box.extend(line.from).extend(line.to);
+    if (is_crease(line, has_green))
+      drawing.scores.push_back({line.from, line.to});
+    else
+      cuts.push_back(line);
+  }
+  LineChains chains(cuts);
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    CutRing way = chains.take(k);
+    if (way.empty()) continue;
+    const bool is_closed = way.size() > 3 && way.front() == way.back();
+    if (is_closed) way.pop_back();
+    (is_closed ? drawing.cuts : drawing.slits).push_back(std::move(way));
+  }
+  drawing.pieces = 1 + sheet.loose;
+  drawing.low = box.min();
+  drawing.high = box.max();
+  return drawing;
+}
+
 }  // namespace
 
 double CutDrawing::length_mm() const {
   double sum = 0;
+  for (const CutRing& slit : slits)
+    for (std::size_t k = 1; k < slit.size(); ++k) sum += (slit[k] - slit[k - 1]).norm();
   for (const CutRing& ring : cuts)
     for (std::size_t k = 0; k < ring.size(); ++k) sum += (ring[(k + 1) % ring.size()] - ring[k]).norm();
   return sum;
 }
 
 CutDrawing cut_drawing(const PrintSheet& sheet) {
+  if (sheet.cuts) return drawing_of_cuts(*sheet.cuts);
   Area area = whole_area(sheet_drawing(sheet));
   const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / cut_grid_mm));
   if (half_kerf > closed_steps) area.resize(half_kerf - closed_steps);

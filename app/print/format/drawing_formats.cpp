@@ -38,6 +38,7 @@ std::string cut_dxf(const CutDrawing& drawing) {
                     layer(cut_layer, red) + layer(score_layer, blue) +
                     "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const auto& line : drawing.scores) out += polyline(line, score_layer, 0);
+  for (const auto& slit : drawing.slits) out += polyline(slit, cut_layer, 0);
   for (const auto& ring : drawing.cuts) out += polyline(ring, cut_layer);
   return out + "0\nENDSEC\n0\nEOF\n";
 }
@@ -320,11 +321,10 @@ std::string strips_pdf(const Strips& strips) {
 
 constexpr double hairline_mm = 0.01;  // mm: cutters follow thinner lines, and engrave thicker ones
 
-/// Returns a group of lines of a cut sheet. @param end of each path: "Z" if closed
-std::string lines_svg(const char* id, const char* colour, const CutDrawing& drawing,
-                      const std::vector<std::vector<Vector2d>>& lines, const char* end) {
-  std::string out = fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\">\n", id,
-                                colour, hairline_mm);
+/// Returns the lines of a cut sheet. @param end of each path: "Z" if closed
+std::string lines_svg(const CutDrawing& drawing, const std::vector<std::vector<Vector2d>>& lines,
+                      const char* end) {
+  std::string out;
   for (const auto& line : lines) {
     out += "<path d=\"";
     for (std::size_t k = 0; k < line.size(); ++k)
@@ -332,7 +332,13 @@ std::string lines_svg(const char* id, const char* colour, const CutDrawing& draw
                          drawing.high.y() - line[k].y());
     out += fmt::format("{}\"/>\n", end);
   }
-  return out + "</g>\n";
+  return out;
+}
+
+std::string layer_svg(const char* id, const char* colour, const std::string& lines) {
+  return fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\">\n", id, colour,
+                     hairline_mm) +
+         lines + "</g>\n";
 }
 
 std::string cut_svg(const CutDrawing& drawing) {
@@ -342,8 +348,10 @@ std::string cut_svg(const CutDrawing& drawing) {
              "0 "
              "{0:.8g} {1:.8g}\">\n",
              size.x(), size.y()) +
-         lines_svg(score_layer, "#0000ff", drawing, drawing.scores, "") +
-         lines_svg(cut_layer, "#ff0000", drawing, drawing.cuts, "Z") + "</svg>\n";
+         layer_svg(score_layer, "#0000ff", lines_svg(drawing, drawing.scores, "")) +
+         layer_svg(cut_layer, "#ff0000",
+                   lines_svg(drawing, drawing.slits, "") + lines_svg(drawing, drawing.cuts, "Z")) +
+         "</svg>\n";
 }
 
 /// Draws a cut sheet 1:1. It has no line to measure, which a cutter would cut.
@@ -358,6 +366,7 @@ std::string cut_pdf(const CutDrawing& drawing) {
     for (const auto& line : drawing.scores) draw_line(line);
     cairo_stroke(page);
     cairo_set_source_rgb(page, 1, 0, 0);
+    for (const auto& slit : drawing.slits) draw_line(slit);
     for (const auto& ring : drawing.cuts) {
       draw_line(ring);
       cairo_close_path(page);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/cuts_section.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/sheet/fold_motion.hpp"
 #include "model/assembly/assembly.hpp"
@@ -321,6 +322,22 @@ model::Polyhedron about(model::Polyhedron solid, const Eigen::Vector3d& origin) 
   return solid;
 }
 
+/// Returns the hinges of a sheet with cuts, and warns of bridges that may break off.
+std::vector<model::HingePrint> prints_of_cuts(const targets::CutSheet& cuts, const model::Process& process,
+                                              std::vector<std::string>& warnings) {
+  std::vector<model::HingePrint> out(cuts.joints.size());
+  std::size_t narrow = 0;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k].made = joint_hinge(cuts.joints[k], process);
+    if (!cuts.joints[k].is_crease && out[k].made.thickness_mm < process.min_film_mm) ++narrow;
+  }
+  if (narrow > 0)
+    warnings.push_back(
+        fmt::format("{} of {} bridges are narrower than {:g} mm after the cut and may break off", narrow,
+                    out.size(), process.min_film_mm));
+  return out;
+}
+
 model::HingePrint print_of(const model::AssemblyHinge& h) {
   model::HingePrint print;
   print.made.kind = h.kind;
@@ -364,7 +381,11 @@ PrintSheet imported_sheet(const Design& design, const model::Process& process, b
   sheet.rods.resize(a.hinges.size());
   sheet.tiles.of_body.assign(a.bodies.size(), 0);
   add_path_of_run(run_design(design, Model::exact, {}), folded, sheet);
-  sheet.warnings.push_back("parts are written as they were imported: nothing was checked for a process");
+  sheet.cuts = design.cuts;
+  if (design.cuts)
+    sheet.hinges = prints_of_cuts(*design.cuts, design.process, sheet.warnings);
+  else
+    sheet.warnings.push_back("parts are written as they were imported: nothing was checked for a process");
   return sheet;
 }
 

@@ -34,6 +34,7 @@ struct PrintSheet {
   bool is_path_exact = true;                        ///< else the equilibrium under the design's drive
   std::string no_path_reason = {};                  ///< reason if only the flat state is known
   std::vector<std::string> marks = {};  ///< engraved at each hinge of a cut sheet; empty: the hinge's number
+  std::shared_ptr<const targets::CutSheet> cuts = {};  ///< that leave the sheet; null for all other sheets
   std::vector<model::HingeStiffness> imported_k = {};  ///< of hinges between imported parts, from the design
   std::vector<std::string> warnings = {};              ///< for the user
 

@@ -178,6 +178,7 @@ Design with_hinges(Design design, const Message& message) {
     model::Assembly bodies = *imported;
     for (const int h : hinges) change(bodies.hinges[h], message);
     design.structure = model::Lattice(std::move(bodies));
+    design.cuts.reset();  // cuts do not determine these hinges
     return design;
   }
   const double edge_mm = design.structure.size().edge_mm;

@@ -107,6 +107,7 @@ void Session::search_for(const targets::Node& root, std::shared_ptr<const fs::pa
       options.engine = &engine_;
       options.printable = answer_of_export;
       options.printable_size = find_printable_size;
+      options.seeks_remedy = true;
       auto run = std::make_shared<Run>(run_goal(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {

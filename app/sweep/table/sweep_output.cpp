@@ -1,4 +1,4 @@
-#include "app/sweep/table/sweep_output.hpp"
+#include "app/sweep/table/sweep_table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "app/io/bytes.hpp"
-#include "app/sweep/table/sweep_output.hpp"
 #include "app/version.hpp"
 #include "targets/document/text_file.hpp"
 

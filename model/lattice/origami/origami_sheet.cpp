@@ -11,6 +11,10 @@ using Eigen::Vector2d;
 constexpr double most_of_crease = 0.42;
 // Least distance of the two hinges of a crease that ends at the boundary, ratio to its length
 constexpr double boundary_room = 0.25;
+// Rad. Walls across creases are as short as the intervals of psi are narrow. Below the first width, walls cross the
+// extension of a crease beyond its vertex, which leaves more room. Below the second, no walls fit.
+constexpr double least_crossing_interval = 5 * radians_per_degree;
+constexpr double least_psi_interval = 20 * radians_per_degree;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -25,11 +29,10 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
   const Vector2d right = m.at(i + 1, j) - m.at(i, j);
   Circle c{0, std::atan2(right.y(), right.x()), sector[0], sector[1]};
   const auto [low, high] = psi_interval(c.a, c.b);
-  if (!(low < high))
+  if (!(high - low >= least_psi_interval))
     throw InvalidInput("there is no room for bodies round vertex [" + std::to_string(i) + ", " +
                        std::to_string(j) + "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
-                       number_text(to_degrees(c.b)) +
-                       " deg are too uneven. Give sectors of about 50 to 130 deg");
+                       number_text(to_degrees(c.b)) + " deg are too uneven. Give sectors from 20 to 160 deg");
   c.psi = (low + high) / 2;
   c.beside = {c.psi, c.a - c.psi, c.b - c.a + c.psi, pi - c.b - c.psi};
   const std::array<double, 4> lengths = {right.norm(), (m.at(i, j + 1) - m.at(i, j)).norm(),
@@ -37,7 +40,8 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
                                          (m.at(i, j - 1) - m.at(i, j)).norm()};
   c.radius = share * *std::min_element(lengths.begin(), lengths.end());
   for (int k = 0; k < 4; ++k)
-    c.radius = std::min(c.radius, most_of_crease * lengths[k] / std::cos(c.beside[k]));
+    if (const double along = std::cos(c.beside[k]); along > 0)
+      c.radius = std::min(c.radius, most_of_crease * lengths[k] / along);
   return c;
 }
 
@@ -179,7 +183,11 @@ void OrigamiLayout::validate() const {
 }
 
 std::array<double, 2> psi_interval(double a, double b) {
-  return {std::max({0.0, a - b, a - pi / 2, pi / 2 - b}), std::min({a, pi - b, pi / 2, pi / 2 - b + a})};
+  const double low = std::max(0.0, a - b), high = std::min(a, pi - b);
+  const double crossing_low = std::max({low, a - pi / 2, pi / 2 - b}),
+               crossing_high = std::min({high, pi / 2, pi / 2 - b + a});
+  if (crossing_high - crossing_low >= least_crossing_interval) return {crossing_low, crossing_high};
+  return {low, high};
 }
 
 OrigamiSheet origami_sheet(const QuadMesh& mesh, const CellSize& size, const OrigamiLayout& layout) {

@@ -197,7 +197,8 @@ TEST(Program, SaysWhereTiedTiltsMissTheTarget) {
   EXPECT_EQ(said("").code, 0);
   const Outcome tied = said("variables: {beta: {symmetry: mirror_x}}\n");
   EXPECT_EQ(tied.code, 3) << tied.out;
-  EXPECT_THAT(tied.out, HasSubstr("remove `symmetry`, by which their tilts depend on each other"));
+  EXPECT_THAT(tied.out, HasSubstr("`symmetry` makes tilts depend on each other"));
+  EXPECT_THAT(tied.out, HasSubstr("With `variables.beta.symmetry: none` the goal is met"));
 }
 
 TEST(Program, EndsWith4WhenThePhysicsRunDoesNotAgree) {

@@ -122,7 +122,7 @@ TEST(Program, KeepsTheBestSoFarAtCtrlC) { expect_best_so_far(long_search); }
 TEST(ProgramSoak, KeepsTheBestOutlineSoFarAtCtrlC) {
   expect_best_so_far(R"(kinetix: 1
 target: {kind: outline, points: [[30, 0], [4, 6], [-20, 25], [-8, 0], [-25, -30], [4, -6]]}
-structure: {cells: [20, 20]}
+structure: {cells: [20, 20], trim: none}
 )");
 }
 

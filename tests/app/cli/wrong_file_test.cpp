@@ -63,6 +63,15 @@ TEST(WrongFile, MayBeAPictureOrADrawing) {
   expect_useful_yaml(scratch, "walls.SVG", "drawing: walls.SVG");
 }
 
+TEST(WrongFile, MayBeACreasePattern) {
+  const std::string patterns = KINETIX_SOURCE "/tests/fuzz/corpus/creases/";
+  for (const char* name : {"miura.cp", "miura.svg"}) {
+    const Scratch scratch;
+    fs::copy(patterns + name, scratch / name);
+    expect_useful_yaml(scratch, name, "origami: ");
+  }
+}
+
 TEST(WrongFile, MayNeedAnotherFormatOrCommand) {
   const Scratch scratch;
   EXPECT_THAT(kinetix_opt(scratch.write("logo.gif", "")).err,

@@ -8,7 +8,6 @@
 #include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
 #include "app/formats/formats_page.hpp"
-#include "app/formats/key_schema.hpp"
 #include "app/goals/registry.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/sweep/plan/doe_file.hpp"

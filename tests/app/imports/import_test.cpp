@@ -248,6 +248,66 @@ TEST(Import, SaysWhichMaterialsThereAreWhereNoneIsSaidToBeSoft) {
                  "--material tang");
 }
 
+/// A rod of one colour in the bore of another: no part is soft.
+TEST(Import, TakesColouredPartsWithPinsAsHard) {
+  const Polyhedron rod = tube(ring(1.5, 24, true), {}, -8, 8),
+                   eye = tube(ring(4, 24, true), ring(1.8, 24, false), -3, 3);
+  const std::string text = Obj().add("rod", "red PLA", rod).add("eye", "blue PLA", eye).text();
+  for (const char* option : {"", " --soft-material none"}) {
+    const Scratch scratch;
+    const Json found = imported(scratch, scratch.write("pin.obj", text) + option);
+    ASSERT_EQ(found["hinges"].size(), 1u);
+    EXPECT_EQ(found["hinges"][0]["kind"], "pin");
+  }
+  expect_refused("pair.obj", pair_of_walls(), "hard part", "--soft-material none");
+}
+
+/// Each face of a wall has its colour; each body is one part all the same.
+TEST(Import, JoinsPaintedFacesOfAnObject) {
+  const auto object = [](int id, const Polyhedron& solid) {
+    std::string points, triangles;
+    for (const auto& p : solid.points)
+      points += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", p.x() / 1000, p.y() / 1000, p.z() / 1000);
+    for (std::size_t k = 0; k < solid.triangles.size(); ++k)
+      triangles += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"9\" p1=\"{}\"/>",
+                               solid.triangles[k][0], solid.triangles[k][1], solid.triangles[k][2], k % 2);
+    return fmt::format(
+        "<object id=\"{}\"><mesh><vertices>{}</vertices><triangles>{}</triangles></mesh></object>", id,
+        points, triangles);
+  };
+  const Polyhedron rod = tube(ring(1.5, 24, true), {}, -8, 8),
+                   eye = tube(ring(4, 24, true), ring(1.8, 24, false), -3, 3);
+  const std::string text = app::zip_text(
+      {{"3D/3dmodel.model",
+        "<model unit=\"meter\"><resources><basematerials id=\"9\"><base name=\"red\"/><base name=\"blue\"/>"
+        "</basematerials>" +
+            object(1, rod) + object(2, eye) +
+            "<object id=\"3\"><components><component objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 0.01 0.02 "
+            "0.03\"/><component objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 0.01 0.02 0.03\"/></components>"
+            "</object></resources><build><item objectid=\"3\"/></build></model>"}});
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("painted.3mf", text));
+  EXPECT_EQ(found["bodies"], 2);
+  ASSERT_EQ(found["hinges"].size(), 1u);
+  EXPECT_EQ(found["hinges"][0]["kind"], "pin");
+  EXPECT_NEAR(found["hinges"][0]["point_mm"][0].get<double>(), 10, 1e-6);
+  EXPECT_NEAR(found["hinges"][0]["point_mm"][2].get<double>(), 30, 1e-6);
+}
+
+/// Two squares that share vertex 3 but no edge.
+TEST(Import, TakesFlatPolygonsThatShareCornersAsTiles) {
+  const std::string tiles =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nf 1 2 3 4\nf 3// 5// 6// 7//\n";
+  const Scratch scratch;
+  const Json found = imported(scratch, scratch.write("tiles.obj", tiles) + " --tile-mm 10");
+  EXPECT_EQ(found["bodies"], 2);
+  EXPECT_EQ(found["hinges"], 1);
+  EXPECT_EQ(found["balls"], 0);
+  EXPECT_EQ(found["scale_mm"], 10);
+  expect_refused("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n",
+                 "is open");
+}
+
 TEST(Import, RefusesWhatIsNoModel) {
   const Scratch scratch;
   expect_refused(scratch, "", "the model is missing. Give MODEL, or --hard FILE and --soft FILE");

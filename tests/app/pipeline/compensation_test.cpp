@@ -207,7 +207,7 @@ const std::string small_box = "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\
 
 const std::string soft_disc = R"(kinetix: 1
 target: {kind: outline, points: [[20, 0], [14.1, 14.1], [0, 20], [-14.1, 14.1], [-20, 0], [-14.1, -14.1], [0, -20], [14.1, -14.1]]}
-structure: {cells: [6, 6], cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}
+structure: {cells: [6, 6], trim: none, cell_mm: 10, wall_mm: {thickness: 1.6, height: 8}}
 variables: {offset_mm: 0.4, theta: {range_deg: [20, 25]}}
 tolerance: {shape: 0.05, iou: 0.8}
 )";

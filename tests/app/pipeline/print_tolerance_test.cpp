@@ -226,7 +226,7 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
        {"target: {kind: curve, points: [[0, 0], [200000, 150000], [450000, 220000], [700000, 150000], "
         "[900000, 0]], units: mm}\nstructure: {cells: [12, 1]}\n",
         "target: {kind: outline, points: [[0, 0], [0.005, 0], [0.005, 0.005], [0, 0.005]], units: mm}\n"
-        "structure: {cells: [4, 4]}\n"}) {
+        "structure: {cells: [4, 4], trim: none}\n"}) {
     const SearchResult one = found(scratch, goal, " --hinge block");
     const Json& made = one.result["as_made"];
     EXPECT_EQ(made["prints"]["count"], 0);
@@ -247,7 +247,7 @@ TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
                   "structure: {cells: [12, 1]}\n",
                   true},
         {"target: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, 0], [-75, -90], [12, -18]]}\n"
-         "structure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n",
+         "structure: {cells: [5, 5], trim: none}\ntolerance: {shape: 0.2, iou: 0.2}\n",
          false}}) {
     const SearchResult one = found(scratch, goal);
     const Json& made = one.result["as_made"];
@@ -380,7 +380,8 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
   for (const std::string& goal :
        {"target: {kind: fold, box: [1, 1, 1], open: top}\ntolerance: {angle_deg: 1}\n"s,
         "target: {kind: fold, solid: tetrahedron}\n"s,
-        "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [5, 5], cell_mm: 10}\n",
+        "target: {kind: outline, points: " + octagon +
+            "}\nstructure: {cells: [5, 5], trim: none, cell_mm: 10}\n",
         "target: {kind: space_curve, points: [[0, 0, 0], [50, 0, 10], [100, 15, 12], [150, 40, 10]]}\n"
         "structure: {cells: [20, 1]}\n"s}) {
     const SearchResult one = found(scratch, goal, " --hinge block --monte-carlo 100");

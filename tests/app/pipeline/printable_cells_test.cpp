@@ -229,7 +229,7 @@ TEST(DefaultLock, IsNoneForDisplaysAndCutSheets) {
   for (const char* goal :
        {"target: {kind: display, rows: [\"00000\", \"01110\", \"01010\", \"01110\", \"00000\"]}\n",
         "target: {kind: outline, points: [[0, 0], [150, 0], [150, 150], [0, 150]]}\nprocess: laser\n"
-        "structure: {cells: [4, 4], cell_mm: 40, wall_mm: {thickness: 5}}\n"
+        "structure: {cells: [4, 4], trim: none, cell_mm: 40, wall_mm: {thickness: 5}}\n"
         "variables: {t: {range: [0.3, 0.7]}, offset_mm: 2, theta: {range_deg: [10, 20]}}\n"}) {
     const app::Run run = run_of(scratch, std::string("kinetix: 1\n") + goal);
     EXPECT_EQ(run.design.lock, app::LockKind::none) << goal;

@@ -101,10 +101,11 @@ TEST(Verdict, OfASheetThatExportRefusesIsThree) {
           "letter.yaml",
           "kinetix: 1\ntarget: {kind: display, glyph: S}\nstructure: {cells: [10, 10], cell_mm: 10}\n"
           "drive: {kind: hinge}\n"),
-      star = scratch.write("star.yaml",
-                           "kinetix: 1\ntarget: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, "
-                           "0], [-75, -90], [12, "
-                           "-18]]}\nstructure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n"),
+      star = scratch.write(
+          "star.yaml",
+          "kinetix: 1\ntarget: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, "
+          "0], [-75, -90], [12, "
+          "-18]]}\nstructure: {cells: [5, 5], trim: none}\ntolerance: {shape: 0.2, iou: 0.2}\n"),
       handle = scratch.write("handle.yaml", thin_handle());
   const std::string thin = scratch.write(
       "thin.yaml",

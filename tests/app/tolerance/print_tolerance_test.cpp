@@ -215,7 +215,7 @@ const std::vector<Case>& cases() {
       {"outline",
        "target: {kind: outline, points: [[10, 0], [7.1, 7.1], [0, 10], [-7.1, 7.1], [-10, 0], [-7.1, -7.1], "
        "[0, "
-       "-10], [7.1, -7.1], [10, 0]]}\nstructure: {cells: [8, 8], cell_mm: 10}\n",
+       "-10], [7.1, -7.1], [10, 0]]}\nstructure: {cells: [8, 8], trim: none, cell_mm: 10}\n",
        true},
       {"surface", "target: {kind: surface, shape: cap}\nstructure: {facets: [4, 4]}\n"},
       {"ribs", "target: {kind: surface, shape: cap, ribs: 3}\n"},

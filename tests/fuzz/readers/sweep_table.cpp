@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "app/sweep/table/sweep_output.hpp"
 #include "app/sweep/table/sweep_table.hpp"
 #include "tests/fuzz/input_folder.hpp"
 

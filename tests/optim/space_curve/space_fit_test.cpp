@@ -109,5 +109,30 @@ TEST(SpaceFit, WhatClimbsOrTurnsTooMuchIsNamedWithItsPlace) {
   EXPECT_FALSE(obstacle(helix(2, 40, 40), with_columns(96)));
 }
 
+targets::SpaceGoal wave(double height, int waves) {
+  std::vector<Vector3d> points;
+  for (int k = 0; k <= 400; ++k) {
+    const double u = 0.97 * 2 * std::numbers::pi * k / 400;
+    points.emplace_back(80 * std::cos(u), 80 * std::sin(u), height * std::sin(waves * u));
+  }
+  return targets::SpaceGoal(points);
+}
+
+/// A flat ring would miss the wave by its height over the square root of two.
+TEST(SpaceFit, AGoalOutOfReachGetsTheNearestStrip) {
+  const targets::SpaceGoal goal = wave(14, 9);
+  const SpaceVariables v = with_columns(48);
+  const SpaceDesign found = fit_space_curve(goal, v, {});
+  ASSERT_TRUE(found.obstacle);
+  EXPECT_NE(found.obstacle->why.find("climbs"), std::string::npos) << found.obstacle->why;
+  EXPECT_LT(found.error.rms * goal.diagonal(), 0.8 * 14 / std::numbers::sqrt2);
+  EXPECT_FALSE(found.contact.touches);
+  for (const double t : found.design.t) {
+    EXPECT_GE(t, v.t[0] - 1e-9);
+    EXPECT_LE(t, v.t[1] + 1e-9);
+  }
+  for (const double beta : found.design.beta) EXPECT_LE(std::abs(beta), v.beta + 1e-9);
+}
+
 }  // namespace
 }  // namespace kinetix::optim

@@ -168,9 +168,9 @@ void add_refused(HardCases& cases) {
     cases.push_back({text("4x4 Miura sheet, one vertex off by %g", by),
                      "refused as not flat-foldable, or no closed form",
                      [=] { return refuse_moved_vertex(by); }});
-  for (const double angle : {5.0, 45 - 1e-6})
+  for (const double angle : {5.0, 20 - 1e-6})
     cases.push_back({text("4x4 Miura sheet, sectors of %.8g deg", angle),
-                     "refused: bodies stand round a vertex from 45 deg on",
+                     "refused: bodies are round a vertex from 20 deg on",
                      [=] { return refuse_narrow(angle * deg); }});
 }
 

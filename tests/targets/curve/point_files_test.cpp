@@ -43,8 +43,7 @@ class Reading {
   }
   std::vector<Eigen::Vector3d> in_space(const std::string& keys) const {
     std::vector<std::string> notes;
-    return read_space_goal(section("space_curve", keys, space_curve_target_keys()), true, notes)
-        .goal.points();
+    return read_space_goal(section("space_curve", keys, space_curve_target_keys()), true, notes).points();
   }
   /// Reads a file as a curve. @return its points
   std::vector<Vector2d> file(const std::string& name, const std::string& content) const {

@@ -1,4 +1,4 @@
-#include "targets/display/read_display.hpp"
+#include "targets/display/display_goal.hpp"
 
 #include <gmock/gmock.h>
 

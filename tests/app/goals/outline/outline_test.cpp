@@ -134,9 +134,12 @@ TEST(Outline, DoesNotDependOnHowItWasTurnedWhenItWasDrawn) {
     const char* structure;
   };
   const Case cases[] = {
-      {"ellipse", ellipse, "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
-      {"pear", pear, "structure: {cells: [6, 4], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
-      {"clover", clover, "structure: {cells: [5, 5], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"ellipse", ellipse,
+       "structure: {cells: [6, 6], trim: none, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"pear", pear,
+       "structure: {cells: [6, 4], trim: none, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"clover", clover,
+       "structure: {cells: [5, 5], trim: none, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
       {"pear of a cut", pear,
        "structure: {cells: [6, 6], trim: outline, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"}};
   for (const Case& one : cases) {
@@ -154,11 +157,11 @@ TEST(Outline, DoesNotDependOnHowItWasTurnedWhenItWasDrawn) {
 
 TEST(Outline, LiesAsItWasDrawn) {
   for (const double degrees : {0.0, 130.0}) {
-    app::Run run =
-        run_of(target(turned_points(pear, degrees),
-                      "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n" +
-                          gently_pressed),
-               false);
+    app::Run run = run_of(
+        target(turned_points(pear, degrees),
+               "structure: {cells: [6, 6], trim: none, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n" +
+                   gently_pressed),
+        false);
     const auto result = written(run);
     const auto& outline = result["outline"];
     const double size = outline["size"];
@@ -183,11 +186,11 @@ TEST(Outline, LiesAsItWasDrawn) {
 }
 
 TEST(Outline, OfASquarePanelIsADiscWhenItIsPressed) {
-  app::Run run =
-      run_of(target(ring(120, 60, 60),
-                    "structure: {cells: [8, 8], cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}\n"
-                    "variables: {offset_mm: 0.8, theta: {range_deg: [30, 40]}}\ntolerance: {shape: 0.01}\n"),
-             true);
+  app::Run run = run_of(
+      target(ring(120, 60, 60),
+             "structure: {cells: [8, 8], trim: none, cell_mm: 10, wall_mm: {thickness: 0.8, height: 6}}\n"
+             "variables: {offset_mm: 0.8, theta: {range_deg: [30, 40]}}\ntolerance: {shape: 0.01}\n"),
+      true);
   ASSERT_TRUE(run.met()) << run.violations.front();
   EXPECT_TRUE(run.verification->agrees);
   const auto result = written(run);
@@ -199,7 +202,7 @@ TEST(Outline, OfASquarePanelIsADiscWhenItIsPressed) {
 }
 
 TEST(Outline, KeepsWallsApartAndHingesClosedAllTheWay) {
-  app::Run run = run_of(target(ring(100, 60, 60), "structure: {cells: [8, 8]}\n"), false);
+  app::Run run = run_of(target(ring(100, 60, 60), "structure: {cells: [8, 8], trim: none}\n"), false);
   const model::ExactMotion exact = exact_motion(run.design.structure);
   ASSERT_TRUE(exact);
   model::WallContact contact(run.design.structure);
@@ -221,16 +224,16 @@ TEST(Outline, CutsTheLatticeToShapeWhereNoCellsAreGiven) {
 
 TEST(Outline, TakesHexagonsWithAClosedRim) {
   const app::Run run =
-      measured_rim(target(ring(100, 60, 60), "structure: {lattice: honeycomb, cells: [6, 6]}\n"));
+      measured_rim(target(ring(100, 60, 60), "structure: {lattice: honeycomb, cells: [6, 6], trim: none}\n"));
   EXPECT_EQ(model::lattice_name(run.design.structure), "honeycomb");
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
   EXPECT_LE(testing::unwritten_result(run)["metrics"]["outline_rms"].get<double>(), 0.03);
 }
 
 TEST(Outline, MayBePrescribedFlatAndPressed) {
-  const app::Run run =
-      measured_rim("kinetix: 1\ntarget: {kind: outline, points: " + ring(100, 60, 60) +
-                   ", flat: [[-60, -60], [60, -60], [60, 60], [-60, 60]]}\nstructure: {cells: [8, 8]}\n");
+  const app::Run run = measured_rim(
+      "kinetix: 1\ntarget: {kind: outline, points: " + ring(100, 60, 60) +
+      ", flat: [[-60, -60], [60, -60], [60, 60], [-60, 60]]}\nstructure: {cells: [8, 8], trim: none}\n");
   const auto result = testing::unwritten_result(run);
   EXPECT_LE(result["metrics"]["outline_rms"].get<double>(), 0.015);
   EXPECT_LE(result["metrics"]["flat_rms"].get<double>(), 0.015);
@@ -253,13 +256,13 @@ double shown_rms(const nlohmann::json& result) {
 /// All hinges are on their walls: the file allows no offset, or the blocks are as thick as the walls.
 TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
   const std::string plain = "variables: {offset_mm: 0}\n";
-  for (const std::string& rest :
-       {"structure: {cells: [6, 6], cell_mm: 10}\n" + plain,
-        "structure: {cells: [6, 6], trim: outline}\n" + plain,
-        "structure: {lattice: honeycomb, cells: [3, 3]}\n" + plain,
-        "structure: {lattice: rhombus, cells: [4, 4]}\n" + plain,
-        std::string("structure: {cells: [4, 4], cell_mm: 10}\nhinge: {model: rotary, kind: block, material: "
-                    "tango, gap_mm: 1}\n")}) {
+  for (const std::string& rest : {"structure: {cells: [6, 6], trim: none, cell_mm: 10}\n" + plain,
+                                  "structure: {cells: [6, 6], trim: outline}\n" + plain,
+                                  "structure: {lattice: honeycomb, cells: [3, 3], trim: none}\n" + plain,
+                                  "structure: {lattice: rhombus, cells: [4, 4], trim: none}\n" + plain,
+                                  std::string("structure: {cells: [4, 4], trim: none, cell_mm: 10}\nhinge: "
+                                              "{model: rotary, kind: block, material: "
+                                              "tango, gap_mm: 1}\n")}) {
     SCOPED_TRACE(rest);
     app::Run run = run_of(target("[[0, 0], [60, 0], [60, 40], [0, 40]]", rest), false);
     ASSERT_TRUE(run.plan.exact) << run.plan.exact.why;
@@ -272,9 +275,9 @@ TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
 }
 
 TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
-  SearchResult found = run_of(
-      target("[[0, 0], [60, 0], [60, 40], [0, 40]]", "structure: {lattice: honeycomb, cells: [3, 3]}\n"),
-      false);
+  SearchResult found = run_of(target("[[0, 0], [60, 0], [60, 40], [0, 40]]",
+                                     "structure: {lattice: honeycomb, cells: [3, 3], trim: none}\n"),
+                              false);
   std::vector<model::HingeParameters>& hinges = found.design.structure.planar()->hinges;
   hinges[hinges.size() / 2].beta = 0.3;
   found.plan = {};  // the plan belongs to the sheet before the change
@@ -298,7 +301,7 @@ TEST(Outline, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Outline, SaysWhatHoldsARimBack) {
-  app::Run run = run_of(target(ring(100, 120, 40), "structure: {cells: [6, 6]}\n"), false);
+  app::Run run = run_of(target(ring(100, 120, 40), "structure: {cells: [6, 6], trim: none}\n"), false);
   EXPECT_FALSE(run.met());
   EXPECT_THAT(run.violations.front(), HasSubstr("of the area overlaps"));
   std::string lines;
@@ -339,7 +342,7 @@ TEST(Outline, RefusesWhatIsNone) {
 }
 
 TEST(Outline, ThatTookAsManyRoundsAsItMaySaysSo) {
-  app::Run run = run_of(target(ring(60, 60, 50), "structure: {cells: [4, 4]}\n"), false);
+  app::Run run = run_of(target(ring(60, 60, 50), "structure: {cells: [4, 4], trim: none}\n"), false);
   const auto outline = std::make_shared<OutlineOutcome>(outcome_of<OutlineOutcome>(run));
   run.goal = outline;
   optim::OutlineDesign& design = outline->design;

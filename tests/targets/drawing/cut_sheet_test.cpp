@@ -1,0 +1,152 @@
+#include "targets/drawing/cut_sheet.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/base/geometry.hpp"
+#include "tests/support/bad_input.hpp"
+#include "tests/support/cut_squares.hpp"
+
+namespace kinetix::targets {
+namespace {
+
+using testing::cut_squares;
+using ::testing::HasSubstr;
+using testing::refusal;
+
+using Ends = std::vector<std::array<double, 4>>;
+
+std::vector<DrawnLine> cut_lines(const Ends& ends, int colour = 0) {
+  std::vector<DrawnLine> lines;
+  for (const auto& [x0, y0, x1, y1] : ends)
+    lines.push_back({.from = {x0, y0}, .to = {x1, y1}, .colour = colour});
+  return lines;
+}
+
+/// Returns the outline of a sheet and lines within it.
+std::vector<DrawnLine> within(double wide, double high, const Ends& ends) {
+  std::vector<DrawnLine> lines =
+      cut_lines({{0, 0, wide, 0}, {wide, 0, wide, high}, {wide, high, 0, high}, {0, high, 0, 0}});
+  for (const DrawnLine& line : cut_lines(ends)) lines.push_back(line);
+  return lines;
+}
+
+double area_of(const std::vector<model::FlatRing>& piece) {
+  double area = 0;
+  for (const model::FlatRing& ring : piece) area += signed_area(ring);
+  return area;
+}
+
+TEST(CutSheet, TakesTurningSquaresApart) {
+  const CutSheet sheet = make_cut_sheet(cut_squares(3, 20, 1.5), {});
+  ASSERT_EQ(sheet.pieces.size(), 9U);
+  ASSERT_EQ(sheet.joints.size(), 12U);
+  EXPECT_TRUE(sheet.is_outlined);
+  EXPECT_EQ(sheet.loose, 0);
+  for (const SheetJoint& joint : sheet.joints) EXPECT_NEAR(joint.length(), 1.5, 1e-9);
+  for (const auto& piece : sheet.pieces) EXPECT_NEAR(area_of(piece), 19.8 * 19.8, 0.5);
+  EXPECT_EQ(sheet.joints[0].lower, 0);  // pieces from below, and from the left
+  EXPECT_EQ(sheet.joints[0].upper, 1);
+  EXPECT_EQ(sheet.joints[1].upper, 3);
+}
+
+TEST(CutSheet, ReadsItsOwnLinesTheSame) {
+  const CutSheet sheet = make_cut_sheet(cut_squares(4, 10, 1), {.kerf_mm = 0.1});
+  const CutSheet again =
+      make_cut_sheet(sheet.lines, {.kerf_mm = 0.1, .bridge_mm = sheet.bridge_mm, .join_mm = sheet.join_mm});
+  ASSERT_EQ(again.joints.size(), sheet.joints.size());
+  for (std::size_t k = 0; k < sheet.joints.size(); ++k) {
+    EXPECT_EQ(again.joints[k].lower, sheet.joints[k].lower);
+    EXPECT_EQ(again.joints[k].upper, sheet.joints[k].upper);
+    EXPECT_NEAR((again.joints[k].from - sheet.joints[k].from).norm(), 0, 1e-9);
+  }
+}
+
+TEST(CutSheet, DrawsARectangleAroundOpenCuts) {
+  std::vector<DrawnLine> lines = cut_squares(2, 20, 1.5);
+  lines.erase(lines.begin(), lines.begin() + 4);  // the outline
+  lines.push_back({.from = {0, 0}, .to = {5, 0}});
+  const CutSheet sheet = make_cut_sheet(lines, {});
+  EXPECT_FALSE(sheet.is_outlined);
+  EXPECT_EQ(sheet.pieces.size(), 4U);
+  EXPECT_EQ(sheet.joints.size(), 4U);
+}
+
+TEST(CutSheet, FindsBridgesOfALivingHinge) {
+  // Two rows of slits, each row with a gap of 2 mm; rows are 3 mm apart.
+  const CutSheet sheet = make_cut_sheet(
+      within(24, 30, {{0, 13, 11, 13}, {13, 13, 24, 13}, {0, 16, 5, 16}, {7, 16, 24, 16}}), {});
+  ASSERT_EQ(sheet.pieces.size(), 3U);
+  ASSERT_EQ(sheet.joints.size(), 2U);
+  for (const SheetJoint& joint : sheet.joints) EXPECT_NEAR(joint.length(), 2, 1e-9);
+}
+
+TEST(CutSheet, FindsBridgesBetweenSlotsAndCrossbars) {
+  // Slots are closed lines, 1 mm wide, whose ends are 2 mm apart and 2 mm from the outline.
+  Ends slots;
+  for (const double x : {2.0, 14.0})
+    slots.insert(slots.end(), {{x, 5, x + 10, 5}, {x + 10, 5, x + 10, 6}, {x + 10, 6, x, 6}, {x, 6, x, 5}});
+  const CutSheet closed = make_cut_sheet(within(26, 11, slots), {});
+  EXPECT_EQ(closed.pieces.size(), 2U);
+  EXPECT_EQ(closed.joints.size(), 3U);
+  // Crossbars at the ends of two cuts face each other.
+  const CutSheet bars =
+      make_cut_sheet(within(24, 20, {{0, 10, 11, 10}, {11, 9, 11, 11}, {13, 10, 24, 10}, {13, 9, 13, 11}}),
+                     {.bridge_mm = 4});
+  EXPECT_EQ(bars.pieces.size(), 2U);
+  ASSERT_EQ(bars.joints.size(), 1U);
+  EXPECT_NEAR(bars.joints[0].length(), 2, 1e-9);
+}
+
+TEST(CutSheet, JoinsAFlapAtTheOutline) {
+  const CutSheet sheet = make_cut_sheet(
+      within(40, 40, {{10, 10, 10, 30}, {10, 30, 30, 30}, {30, 30, 30, 10}}), {.bridge_mm = 25});
+  ASSERT_EQ(sheet.pieces.size(), 2U);
+  ASSERT_EQ(sheet.joints.size(), 2U);
+}
+
+TEST(CutSheet, SmallPieceRemainsWhereFourEndsMeet) {
+  const CutSheet sheet = make_cut_sheet(
+      within(40, 40, {{0, 20, 19, 20}, {21, 20, 40, 20}, {20, 0, 20, 19}, {20, 21, 20, 40}}), {});
+  EXPECT_EQ(sheet.pieces.size(), 5U);
+  EXPECT_EQ(sheet.joints.size(), 4U);
+}
+
+TEST(CutSheet, TakesCreasesByTheirColours) {
+  std::vector<DrawnLine> lines = within(30, 20, {});
+  for (const DrawnLine& line : cut_lines({{10, 0, 10, 8}, {10, 12, 10, 20}}, 0x00FF00)) lines.push_back(line);
+  for (const DrawnLine& line : cut_lines({{10, 8, 10, 12}}, 0xFF0000)) lines.push_back(line);
+  for (const DrawnLine& line : cut_lines({{0, 5, 10, 5}}, 0xFFFF00)) lines.push_back(line);  // no effect
+  const CutSheet sheet = make_cut_sheet(lines, {});
+  ASSERT_EQ(sheet.pieces.size(), 2U);
+  ASSERT_EQ(sheet.joints.size(), 1U);
+  EXPECT_TRUE(sheet.joints[0].is_crease);
+  EXPECT_NEAR(sheet.joints[0].length(), 4, 1e-9);
+}
+
+TEST(CutSheet, LeavesOutWhatFallsOut) {
+  std::vector<DrawnLine> lines = cut_squares(2, 20, 1.5);
+  for (const DrawnLine& line : cut_lines({{5, 5, 10, 5}, {10, 5, 10, 10}, {10, 10, 5, 10}, {5, 10, 5, 5}}))
+    lines.push_back(line);  // a window
+  const CutSheet sheet = make_cut_sheet(lines, {.bridge_mm = 3});
+  EXPECT_EQ(sheet.pieces.size(), 4U);
+  EXPECT_EQ(sheet.loose, 1);
+  EXPECT_EQ(sheet.pieces[0].size(), 2U);  // with a hole
+}
+
+std::string cut_refusal(const std::vector<DrawnLine>& lines, const CutSettings& settings = {}) {
+  return refusal([&] { make_cut_sheet(lines, settings); });
+}
+
+TEST(CutSheet, RefusesSheetsThatDoNotComeApart) {
+  EXPECT_THAT(cut_refusal({}), HasSubstr("no lines"));
+  EXPECT_THAT(cut_refusal(within(20, 20, {})), HasSubstr("no cuts"));
+  EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 20, 10}})), HasSubstr("2 loose pieces"));
+  EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 10, 10}}), {.bridge_mm = 2}),
+              HasSubstr("the next gap is 10 mm"));
+  EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 19.85, 10}})), HasSubstr("process.kerf_mm"));
+  EXPECT_THAT(cut_refusal(within(30'000, 20, {{0, 10, 10, 10}})), HasSubstr("larger than 20 m"));
+}
+
+}  // namespace
+}  // namespace kinetix::targets
