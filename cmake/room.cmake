@@ -22,6 +22,11 @@ if(KINETIX_DEV)
   # constant.
   target_compile_options(kinetix_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion
     -Wno-sign-conversion -Wno-restrict -Wno-array-bounds -Wno-stringop-overread -Wno-stringop-overflow -Werror -UNDEBUG)
+  # Thirty programs are linked, each in a tenth of the time.
+  find_program(MOLD_PROGRAM mold)
+  if(MOLD_PROGRAM)
+    add_link_options(-fuse-ld=mold)
+  endif()
 else()
   # GCC 12 wrongly warns of each "text" + std::string: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105329
   target_compile_options(kinetix_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)

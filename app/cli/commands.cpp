@@ -13,7 +13,6 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/state_json.hpp"
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "targets/document/edit_document.hpp"

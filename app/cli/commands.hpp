@@ -7,6 +7,9 @@
 
 namespace kinetix::app {
 
+/// Runs the program with the arguments of its process, once. @return its exit code
+int run_command_line(int argc, char** argv);
+
 /// Runs `kinetix-opt TARGET.yaml`: searches, verifies, writes.
 int optimise_command(const CommandOptions& options);
 /// Runs `kinetix-opt verify DESIGN.yaml`: simulates a design and compares it with the model, if one applies.

@@ -26,7 +26,7 @@ using SheetPiece = std::vector<FlatRing>;
 constexpr double sheet_grid_mm = 1e-5;       // mm: areas are exact on this grid
 constexpr double largest_sheet_mm = 20'000;  // mm: as far as whole numbers of grid steps reach
 constexpr double bridge_share = 0.5;         // of the median cut: wider gaps are not narrow places
-constexpr double speck_share = 4;            // squared kerfs: smaller areas between lines fall out as dust
+constexpr double dust_kerfs = 4;             // squared kerfs: smaller areas between lines fall out as dust
 constexpr double straight_share = 3;         // grid steps: corners that leave a line by less are rounding
 constexpr int max_joint_rounds = 20;         // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
@@ -232,7 +232,7 @@ class SheetCutter {
     for (const Segment& segment : segments_) slits.insert(on_grid(strip(segment.from, segment.to, kerf)));
     SheetArea area = whole_;
     area -= slits;
-    out_.pieces = pieces_of(area, speck_share * kerf * kerf);
+    out_.pieces = pieces_of(area, dust_kerfs * kerf * kerf);
     if (out_.pieces.size() > max_sheet_pieces)
       throw InvalidInput(
           fmt::format("the cuts leave more than {} pieces. Give a part of the drawing", max_sheet_pieces));

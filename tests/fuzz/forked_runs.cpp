@@ -3,8 +3,6 @@
 // A line of stdin has the arguments of a run, separated by tabs. After the run, a line of stdout has its exit code, or
 // minus the number of the signal that ended it. Its output is in the files `stdout` and `stderr` of the folder. A run
 // may use SECONDS of processor time and BYTES of addresses.
-#undef main
-
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,7 +14,7 @@
 #include <string>
 #include <vector>
 
-int program_main(int argc, char** argv);
+#include "app/cli/commands.hpp"
 
 namespace {
 
@@ -48,7 +46,7 @@ void limit(int what, rlim_t most) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  std::exit(program_main(static_cast<int>(arguments.size()), argv.data()));
+  std::exit(kinetix::app::run_command_line(static_cast<int>(arguments.size()), argv.data()));
 }
 
 std::vector<std::string> arguments_of(const std::string& line) {

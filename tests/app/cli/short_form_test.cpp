@@ -105,23 +105,27 @@ TEST(ShortForm, IsInColourOnlyOnATerminalWithoutNoColor) {
   EXPECT_FALSE(app::uses_colour(false, nullptr));
 }
 
-TEST(ShortOutput, OfShippedTargetsHasSevenLinesOfAHundredColumns) {
+class ShippedOutput : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedOutput, HasSevenLinesOfAHundredColumns) {
   const Scratch scratch;
-  for (const std::string name : {"helmet_rib", "half_circle", "s_curve", "letter_t", "rubber_t", "cube",
-                                 "tetrahedron", "disc", "shrinking_block", "tray_in_mm"}) {
-    const std::string file = std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml";
-    const Outcome run = short_run(file + " --quiet -o " + std::string(scratch / name));
-    EXPECT_TRUE(run.code == 0 || run.code == 3) << name << run.err;
-    expect_short(run.out, name);
-    const std::vector<std::string> lines = lines_of(run.out);
-    ASSERT_GE(lines.size(), 4u) << run.out;
-    EXPECT_THAT(lines[0], StartsWith(name + ": goal "));
-    EXPECT_THAT(run.out, HasSubstr("\n  size     flat "));
-    EXPECT_THAT(run.out, HasSubstr("Next: "));
-    EXPECT_THAT(run.out, Not(HasSubstr("\033"))) << "no colours without a terminal";
-    expect_short(short_run("check " + file).out, name + ", checked");
-  }
+  const std::string name = GetParam(),
+                    file = std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml";
+  const Outcome run = short_run(file + " --quiet -o " + std::string(scratch / name));
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;
+  expect_short(run.out, name);
+  const std::vector<std::string> lines = lines_of(run.out);
+  ASSERT_GE(lines.size(), 4u) << run.out;
+  EXPECT_THAT(lines[0], StartsWith(name + ": goal "));
+  EXPECT_THAT(run.out, HasSubstr("\n  size     flat "));
+  EXPECT_THAT(run.out, HasSubstr("Next: "));
+  EXPECT_THAT(run.out, Not(HasSubstr("\033"))) << "no colours without a terminal";
+  expect_short(short_run("check " + file).out, name + ", checked");
 }
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ShippedOutput,
+                         ::testing::Values("helmet_rib", "half_circle", "s_curve", "letter_t", "rubber_t",
+                                           "cube", "tetrahedron", "disc", "shrinking_block", "tray_in_mm"));
 
 TEST(ShortOutput, HasTheLongFormWithV) {
   const Scratch scratch;
