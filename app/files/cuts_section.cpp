@@ -28,12 +28,14 @@ const targets::Bounds bridge_bounds = targets::from_to(0.01, 20'000, "mm");
 
 Vector3d in_sheet(const Vector2d& p, double height = 0) { return {p.x(), p.y(), height}; }
 
-/// Returns the part of the sheet between two pieces: a bridge as wide as its cuts leave it, or the strip of a crease.
+/// Returns the part of the sheet between two pieces: a bridge, or the strip of a crease.
 model::Polyhedron joint_solid(const targets::SheetJoint& joint, const model::Process& process) {
   const Vector2d along = (joint.to - joint.from).normalized(), inwards = process.kerf_mm / 2 * along,
                  across(-inwards.y(), inwards.x());
   const Vector2d from = joint.from + inwards, to = joint.to - inwards;
-  const model::FlatRing ring{from - across, to - across, to + across, from + across};
+  const model::FlatRing ring = joint.is_crease
+                                   ? model::FlatRing{from - across, to - across, to + across, from + across}
+                                   : targets::bridge_outline(joint.from, joint.to, process.kerf_mm);
   return model::make_prism(std::vector<model::FlatRing>{ring}, -process.sheet_mm / 2, process.sheet_mm / 2);
 }
 
@@ -109,7 +111,8 @@ const targets::KeyTable& cuts_keys() {
     std::vector<targets::Key> all = {
         {"cuts", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
          "drawing whose visible lines are cuts in a sheet. The line that encloses all others is its outline. "
-         "Pieces between cuts are bodies, and bridges between the ends of cuts are hinges"},
+         "Pieces between cuts are bodies, and bridges between the ends of cuts are hinges. Without "
+         "`process`, a laser cuts it"},
         {"bridge_mm", value::number(bridge_bounds), targets::otherwise("half of the median cut"),
          "for `cuts`: largest gap between a cut's end and another line that is a bridge"}};
     for (targets::Key& key : drawing_size_keys()) all.push_back(std::move(key));

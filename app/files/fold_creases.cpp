@@ -226,7 +226,7 @@ class FrameReader {
   char letter_of(std::size_t edge) const {
     const std::optional<double> angle = angle_of(edge);
     const Json* words = frame_.find("edges_assignment");
-    if (!words) return letter_of_angle(angle.value_or(0), frame_.find("edges_foldAngle") ? 'F' : 'U');
+    if (!words) return angle ? letter_of_angle(*angle, 'F') : 'U';
     if (!words->is_array() || edge >= words->size() || !(*words)[edge].is_string())
       InheritingFrame::refuse_without("edges_assignment");
     const std::string word = (*words)[edge].get<std::string>();

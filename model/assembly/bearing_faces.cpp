@@ -69,25 +69,28 @@ std::optional<ConeFace> fitted_cone(const std::vector<int>& region, const Polyhe
   face.to = -face.from;
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   const std::vector<int> corners = corners_of(region, solid);
-  std::vector<Vector2d> round_about;
+  std::vector<Vector2d> all_across, round_about;
+  std::vector<double> heights;  // above the apex
   double widest = 0;
   for (const int p : corners) {
     const Vector3d r = solid.points[p] - face.apex;
-    const Vector2d across(u.dot(r), v.dot(r));
+    all_across.emplace_back(u.dot(r), v.dot(r));
+    heights.push_back(axis.dot(r));
     face.from = std::min(face.from, axis.dot(solid.points[p]));
     face.to = std::max(face.to, axis.dot(solid.points[p]));
-    widest = std::max(widest, across.norm());
-    if (across.norm() > face.slope * axis.dot(r) && axis.dot(r) > 0) face.slope = across.norm() / axis.dot(r);
+    widest = std::max(widest, all_across.back().norm());
   }
-  for (const int p : corners) {
-    const Vector3d r = solid.points[p] - face.apex;
-    const Vector2d across(u.dot(r), v.dot(r));
-    const double slack = roundness * widest + 1e-4;  // mm
-    if (!(across.norm() <= face.slope * axis.dot(r) + slack &&
-          across.norm() >= face.inner_slope * axis.dot(r) - slack))
+  // A corner at the apex has no slope.
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    if (all_across[k].norm() > roundness * widest) {
+      round_about.push_back(all_across[k]);
+      face.slope = std::max(face.slope, all_across[k].norm() / heights[k]);
+    }
+  const double slack = roundness * widest + 1e-4;  // mm
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    if (!(all_across[k].norm() <= face.slope * heights[k] + slack &&
+          all_across[k].norm() >= face.inner_slope * heights[k] - slack))
       return std::nullopt;
-    if (across.norm() > roundness * widest) round_about.push_back(across);
-  }
   if (static_cast<int>(round_about.size()) < min_round_facets ||
       !(covered(round_about, Vector2d::Zero()) > min_round_turn))
     return std::nullopt;

@@ -90,6 +90,11 @@ std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vec
   return out;
 }
 
+bool is_better(const OutlineDesign& a, const OutlineDesign& b) {
+  if (a.clear != b.clear) return a.clear;
+  return a.error.rms + a.flat.rms < b.error.rms + b.flat.rms;
+}
+
 /// Search at one theta.
 class BoundarySearch {
  public:
@@ -110,10 +115,12 @@ class BoundarySearch {
     if (flat) problem_.bounds.stretch.assign(panel.graph.edges.size(), longest);
   }
 
-  /// @param given shape at which the search starts; null: the panel as it is
+  /// @param given shape at which the search starts, which is the result if no better one is found. Null: the panel as it
+  /// is
   OutlineDesign run(const OutlineShape* given) {
     given ? start(*given) : start();
-    OutlineDesign found;
+    OutlineDesign found, first;
+    if (given) first = take_as_given();
     const int most = problem_.flat ? most_of_free_panels : max_rounds_apart;
     for (bool again = false;; again = true) {
       bound_offsets();
@@ -127,10 +134,22 @@ class BoundarySearch {
       tighten(met);
     }
     judge(found);
-    return found;
+    if (!given || !is_better(first, found)) return found;
+    first.rounds = found.rounds;
+    first.clearance_rounds = found.clearance_rounds;
+    return first;
   }
 
  private:
+  OutlineDesign take_as_given() {
+    OutlineDesign out;
+    bound_offsets();
+    take(out);
+    out.clear = walls_that_meet(out).empty();
+    judge(out);
+    return out;
+  }
+
   void start(const OutlineShape& given) {
     shape_ = given;
     if (!problem_.flat) shape_.flat = panel_.graph.vertices;
@@ -259,11 +278,6 @@ class BoundarySearch {
   std::vector<double> limit_;  ///< largest offset of each wall, cell edges
   BoxLeastSquaresMemory memory_;
 };
-
-bool is_better(const OutlineDesign& a, const OutlineDesign& b) {
-  if (a.clear != b.clear) return a.clear;
-  return a.error.rms + a.flat.rms < b.error.rms + b.flat.rms;
-}
 
 }  // namespace
 

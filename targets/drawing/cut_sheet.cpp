@@ -28,6 +28,7 @@ constexpr double largest_sheet_mm = 20'000;  // mm: as far as whole numbers of g
 constexpr double bridge_share = 0.5;         // of the median cut: wider gaps are not narrow places
 constexpr double dust_kerfs = 4;             // squared kerfs: smaller areas between lines fall out as dust
 constexpr double straight_share = 3;         // grid steps: corners that leave a line by less are rounding
+constexpr int bridge_corners = 16;           // of the polygon round its middle
 constexpr int max_joint_rounds = 20;         // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
 constexpr std::size_t max_rim_steps = 2'000'000'000;
@@ -229,7 +230,10 @@ class SheetCutter {
     SheetArea slits;
     for (const auto& [from, to] : cuts_.edges)
       slits.insert(on_grid(strip(cuts_.vertices[from], cuts_.vertices[to], kerf)));
-    for (const Segment& segment : segments_) slits.insert(on_grid(strip(segment.from, segment.to, kerf)));
+    for (const Segment& segment : segments_) {
+      slits.insert(on_grid(strip(segment.from, segment.to, kerf)));
+      if (!segment.is_crease) slits.insert(on_grid(bridge_outline(segment.from, segment.to, 0)));
+    }
     SheetArea area = whole_;
     area -= slits;
     out_.pieces = pieces_of(area, dust_kerfs * kerf * kerf);
@@ -243,9 +247,12 @@ class SheetCutter {
     out_.joints.clear();
     std::vector<Segment> kept;
     for (const Segment& segment : segments_) {
-      const Vector2d middle = (segment.from + segment.to) / 2,
-                     across = kerf * model::turned_by_90(segment.to - segment.from).normalized();
-      const int left = piece_at(middle + across), right = piece_at(middle - across);
+      const Vector2d along = segment.to - segment.from;
+      const double away = kerf + (segment.is_crease ? 0 : along.norm() / 2);
+      const Vector2d across = away * model::turned_by_90(along).normalized();
+      // The middle of a gap that is narrower than the cuts is in the next cut.
+      const Vector2d place = along.norm() > kerf ? Vector2d(segment.from + along / 2) : segment.from;
+      const int left = piece_at(place + across), right = piece_at(place - across);
       if (left < 0 || right < 0 || left == right) continue;
       kept.push_back(segment);
       out_.joints.push_back(
@@ -355,6 +362,18 @@ bool has_green_cuts(const std::vector<DrawnLine>& lines) {
 
 bool is_crease(const DrawnLine& line, bool has_green) {
   return has_green && (line.colour == 0xFF0000 || line.colour == 0x0000FF || line.colour == 0xFF00FF);
+}
+
+FlatRing bridge_outline(const Vector2d& from, const Vector2d& to, double kerf_mm) {
+  const double radius = (to - from).norm() / 2, limit = radius - kerf_mm / 2;
+  const Vector2d along = (to - from).normalized(), across = model::turned_by_90(along);
+  FlatRing out;
+  for (int k = 0; k < bridge_corners; ++k) {
+    const double angle = 2 * pi * k / bridge_corners;
+    out.push_back((from + to) / 2 + std::clamp(radius * std::cos(angle), -limit, limit) * along +
+                  radius * std::sin(angle) * across);
+  }
+  return out;
 }
 
 CutSheet make_cut_sheet(std::vector<DrawnLine> lines, const CutSettings& settings) {

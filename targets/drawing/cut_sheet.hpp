@@ -28,6 +28,11 @@ struct CutSheet {
   int loose = 0;            ///< pieces that hang on none of the others, and are left out
 };
 
+/// Returns the part of a sheet that bends between two pieces: a polygon round the middle of a bridge, about which they turn
+/// without meeting. It ends at the cuts. @param from, to ends of the bridge as drawn, mm
+/// @param kerf_mm width of the cuts; 0: up to their middle
+model::FlatRing bridge_outline(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double kerf_mm);
+
 struct CutSettings {
   double kerf_mm = 0.2;                  ///< width of the cuts, > 0
   std::optional<double> bridge_mm = {};  ///< largest gap of a bridge; empty: half of the median cut

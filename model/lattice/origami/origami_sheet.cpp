@@ -11,8 +11,9 @@ using Eigen::Vector2d;
 constexpr double most_of_crease = 0.42;
 // Least distance of the two hinges of a crease that ends at the boundary, ratio to its length
 constexpr double boundary_room = 0.25;
-// Rad. Walls across creases are as short as the intervals of psi are narrow. Below the first width, walls cross the
-// extension of a crease beyond its vertex, which leaves more room. Below the second, no walls fit.
+// Rad. Walls across creases are as short as the intervals of psi are narrow. If the interval with walls across the
+// creases is below the first width, walls cross the extension of a crease beyond its vertex, which leaves more room. If
+// that interval is below the second width, no walls fit.
 constexpr double least_crossing_interval = 5 * radians_per_degree;
 constexpr double least_psi_interval = 20 * radians_per_degree;
 
@@ -29,7 +30,7 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
   const Vector2d right = m.at(i + 1, j) - m.at(i, j);
   Circle c{0, std::atan2(right.y(), right.x()), sector[0], sector[1]};
   const auto [low, high] = psi_interval(c.a, c.b);
-  if (!(high - low >= least_psi_interval))
+  if (!(low < high))
     throw InvalidInput("there is no room for bodies round vertex [" + std::to_string(i) + ", " +
                        std::to_string(j) + "]: its sectors of " + number_text(to_degrees(c.a)) + " and " +
                        number_text(to_degrees(c.b)) + " deg are too uneven. Give sectors from 20 to 160 deg");
@@ -187,7 +188,8 @@ std::array<double, 2> psi_interval(double a, double b) {
   const double crossing_low = std::max({low, a - pi / 2, pi / 2 - b}),
                crossing_high = std::min({high, pi / 2, pi / 2 - b + a});
   if (crossing_high - crossing_low >= least_crossing_interval) return {crossing_low, crossing_high};
-  return {low, high};
+  if (high - low >= least_psi_interval) return {low, high};
+  return {0, 0};
 }
 
 OrigamiSheet origami_sheet(const QuadMesh& mesh, const CellSize& size, const OrigamiLayout& layout) {

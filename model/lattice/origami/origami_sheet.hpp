@@ -30,7 +30,7 @@ struct OrigamiSheet {
 /// Returns the interval of psi, the angle from the level crease to the body next to it, at an inner vertex. In it the
 /// four bodies, mirror images across all four creases, are in order. The wall across each crease crosses the crease
 /// itself, if sectors are within about 50 to 130 deg. For more uneven sectors, a wall crosses the extension of a crease
-/// beyond the vertex. @param a, b sectors, rad
+/// beyond the vertex. {0, 0} if no walls fit. @param a, b sectors, rad
 std::array<double, 2> psi_interval(double a, double b);
 
 /// Creates the sheet of a mesh. @param size edge_mm is the length of a mean wall, mm.

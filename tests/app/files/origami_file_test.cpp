@@ -104,7 +104,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
   expect_refused(replaced(good, "[15, 14, 10, 11]", "[15, 14, 10, 99]"), "face 0 refers to a missing vertex");
   mesh.at(1, 1) += Eigen::Vector2d(0.15, 0.08);
   expect_refused(fold_text(mesh, 9),
-                 "vertex 10 is not flat-foldable: opposite angles between its creases add up to");
+                 "vertex 9 is not flat-foldable: opposite angles between its creases add up to 185.832 deg");
   std::string unlike = good;
   const std::size_t at = unlike.find("edges_assignment");
   for (std::size_t k = at; k < unlike.size(); ++k)

@@ -306,7 +306,9 @@ std::vector<Json> files_of(const std::string& list) {
     soft["structure"]["hinges"][0]["k"] = {{"axial", 3}, {"shear", 1}, {"along", 2}, {"turn", 0.1}};
     driven["drive"] = {{"angle_deg", 10}};
     pulled["drive"]["poses"] = Json::parse("[[5, 5, 5, 1, 0, 0, 0], [17, 5, 5, 1, 0, 0, 0]]");
-    return {still, soft, driven, pulled};
+    const Json cut{{"kinetix", 1},
+                   {"structure", {{"cuts", KINETIX_SOURCE "/targets/tiles/turning_squares.svg"}}}};
+    return {still, soft, driven, pulled, cut};
   }
   if (list == "hinges")
     return {Json{{"kinetix", 1}, {"hinges", Json::parse(R"([{"hinge": "a", "axis": [0, 0, 1]}])")}},
