@@ -29,7 +29,10 @@ constexpr double bridge_share = 0.5;         // of the median cut: wider gaps ar
 constexpr double dust_kerfs = 4;             // squared kerfs: smaller areas between lines fall out as dust
 constexpr double straight_share = 3;         // grid steps: corners that leave a line by less are rounding
 constexpr int bridge_corners = 16;           // of the polygon round its middle
-constexpr int max_joint_rounds = 20;         // of leaving out bridges that separate nothing
+// Ratio to half the width of a bridge: the corners of two pieces that turn by 90 degrees to each other just meet there.
+constexpr double bridge_radius = std::numbers::sqrt2;
+constexpr double least_relieved = 0.5;  // share of a piece that its bridges leave
+constexpr int max_joint_rounds = 20;    // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
 constexpr std::size_t max_rim_steps = 2'000'000'000;
 constexpr std::size_t max_sheet_pieces = 20'000;  // as many bodies as a motion is computed for
@@ -84,6 +87,7 @@ class SheetCutter {
     for (int round = 0; take_apart() && round < max_joint_rounds;) ++round;
     keep_largest_group();
     refuse_burnt_bridges();
+    relieve_pieces();
     // The outline is cut last, since the sheet may shift then.
     std::stable_partition(out_.lines.begin(), out_.lines.end(),
                           [&](const DrawnLine& line) { return !is_on_rim((line.from + line.to) / 2); });
@@ -230,10 +234,7 @@ class SheetCutter {
     SheetArea slits;
     for (const auto& [from, to] : cuts_.edges)
       slits.insert(on_grid(strip(cuts_.vertices[from], cuts_.vertices[to], kerf)));
-    for (const Segment& segment : segments_) {
-      slits.insert(on_grid(strip(segment.from, segment.to, kerf)));
-      if (!segment.is_crease) slits.insert(on_grid(bridge_outline(segment.from, segment.to, 0)));
-    }
+    for (const Segment& segment : segments_) slits.insert(on_grid(strip(segment.from, segment.to, kerf)));
     SheetArea area = whole_;
     area -= slits;
     out_.pieces = pieces_of(area, dust_kerfs * kerf * kerf);
@@ -247,9 +248,8 @@ class SheetCutter {
     out_.joints.clear();
     std::vector<Segment> kept;
     for (const Segment& segment : segments_) {
-      const Vector2d along = segment.to - segment.from;
-      const double away = kerf + (segment.is_crease ? 0 : along.norm() / 2);
-      const Vector2d across = away * model::turned_by_90(along).normalized();
+      const Vector2d along = segment.to - segment.from,
+                     across = kerf * model::turned_by_90(along).normalized();
       // The middle of a gap that is narrower than the cuts is in the next cut.
       const Vector2d place = along.norm() > kerf ? Vector2d(segment.from + along / 2) : segment.from;
       const int left = piece_at(place + across), right = piece_at(place - across);
@@ -330,6 +330,27 @@ class SheetCutter {
                     out_.bridge_mm, advice));
   }
 
+  /// Takes the bridges out of the pieces that they join. Pieces of which too little would remain stay whole.
+  void relieve_pieces() {
+    std::vector<SheetArea> bridges(out_.pieces.size());
+    for (const SheetJoint& joint : out_.joints)
+      if (!joint.is_crease)
+        for (const int k : {joint.lower, joint.upper})
+          bridges[k].insert(on_grid(bridge_outline(joint.from, joint.to, 0)));
+    for (std::size_t k = 0; k < out_.pieces.size(); ++k) {
+      SheetArea left;
+      for (const FlatRing& ring : out_.pieces[k]) {
+        SheetArea ring_area;
+        ring_area.insert(on_grid(ring));
+        left ^= ring_area;
+      }
+      const auto whole = bp::area(left);
+      left -= bridges[k];
+      std::vector<SheetPiece> parts = pieces_of(left, 0);
+      if (parts.size() == 1 && bp::area(left) >= least_relieved * whole) out_.pieces[k] = std::move(parts[0]);
+    }
+  }
+
   void refuse_burnt_bridges() const {
     for (const SheetJoint& joint : out_.joints)
       if (!(joint.length() > settings_.kerf_mm))
@@ -365,7 +386,7 @@ bool is_crease(const DrawnLine& line, bool has_green) {
 }
 
 FlatRing bridge_outline(const Vector2d& from, const Vector2d& to, double kerf_mm) {
-  const double radius = (to - from).norm() / 2, limit = radius - kerf_mm / 2;
+  const double half = (to - from).norm() / 2, limit = half - kerf_mm / 2, radius = bridge_radius * half;
   const Vector2d along = (to - from).normalized(), across = model::turned_by_90(along);
   FlatRing out;
   for (int k = 0; k < bridge_corners; ++k) {

@@ -29,7 +29,7 @@ struct CutSheet {
 };
 
 /// Returns the part of a sheet that bends between two pieces: a polygon round the middle of a bridge, about which they turn
-/// without meeting. It ends at the cuts. @param from, to ends of the bridge as drawn, mm
+/// by up to 90 degrees without meeting. It ends at the cuts. @param from, to ends of the bridge as drawn, mm
 /// @param kerf_mm width of the cuts; 0: up to their middle
 model::FlatRing bridge_outline(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double kerf_mm);
 

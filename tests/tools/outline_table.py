@@ -37,8 +37,11 @@ def search(program, points, structure, seconds):
 
 def named_structure(reasons):
     """Returns the section that a miss names, or None."""
-    found = re.search(r"with `(structure: \{.*?\})` the goal is met", " ".join(reasons))
-    return found and found[1]
+    found = re.search(r"With `(structure\..*?)` the goal is met", " ".join(reasons))
+    if not found:
+        return None
+    keys = re.findall(r"structure\.(\w+): (\[.*?\]|\w+)", found[1])
+    return f"structure: {{{', '.join(f'{key}: {value}' for key, value in keys)}}}"
 
 
 def follow(program, points, seconds):

@@ -86,7 +86,7 @@ TEST(RefinedShape, DeformsAsTheCoarsePanel) {
 
 TEST(RefinedShape, IsAStartOfASearch) {
   const targets::Outline outline = wavy(2, 3);
-  const model::PlanarStructure coarse = square_panel(4), fine = square_panel(8);
+  const model::PlanarStructure coarse = square_panel(6), fine = square_panel(12);
   const OutlineDesign first = fit_outline(coarse, outline, nullptr, {});
   ASSERT_TRUE(first.clear);
   const OutlineShape start = refined_shape(coarse, first.shape, fine);
