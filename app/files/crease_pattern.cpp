@@ -121,7 +121,7 @@ class PatternBuilder {
     }
   }
 
-  CreasePattern run(bool is_wide) {
+  CreaseMesh run(bool is_wide) {
     JoinedLines joined = targets::join_lines(lines_);
     if (is_wide) {
       out_.joined = joined.join * wide_join / targets::default_join;
@@ -306,7 +306,7 @@ class PatternBuilder {
   std::vector<targets::DrawnLine> lines_;
   std::vector<char> line_letters_;
   double join_ = 0;
-  CreasePattern out_;
+  CreaseMesh out_;
 };
 
 }  // namespace
@@ -352,23 +352,23 @@ CreaseLines read_cp_creases(const std::string& text) {
   return out;
 }
 
-std::string CreasePattern::name(int vertex) const {
+std::string CreaseMesh::name(int vertex) const {
   if (number[vertex] >= 0) return fmt::format("vertex {}", number[vertex]);
   return fmt::format("the point ({:.6g}, {:.6g})", graph.vertices[vertex].x(), graph.vertices[vertex].y());
 }
 
-std::string CreasePattern::edge_name(int edge) const {
+std::string CreaseMesh::edge_name(int edge) const {
   return "the crease from " + name(graph.edges[edge].from) + " to " + name(graph.edges[edge].to);
 }
 
-std::vector<int> CreasePattern::faces_of_edges() const {
+std::vector<int> CreaseMesh::faces_of_edges() const {
   std::vector<int> count(graph.edges.size(), 0);
   for (const model::GraphFace& face : faces)
     for (const int edge : face.edges) ++count[edge];
   return count;
 }
 
-CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide) {
+CreaseMesh make_crease_mesh(const CreaseLines& lines, bool is_wide) {
   return PatternBuilder(lines).run(is_wide);
 }
 

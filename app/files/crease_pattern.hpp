@@ -31,7 +31,7 @@ CreaseLines read_drawn_creases(const targets::Drawing& drawing);
 CreaseLines read_cp_creases(const std::string& text);
 
 /// A crease pattern whose lines meet at vertices only.
-struct CreasePattern {
+struct CreaseMesh {
   model::PlanarGraph graph;
   std::vector<char> letters;            ///< of the edges
   std::vector<model::GraphFace> faces;  ///< counter-clockwise
@@ -51,7 +51,7 @@ struct CreasePattern {
 /// @param is_wide whether ends are joined up to 3 % of the median line, instead of the distance for drawings.
 /// @throws InvalidInput for creases that are both mountain and valley, or end inside a face. Patterns in several pieces
 /// also throw.
-CreasePattern make_crease_pattern(const CreaseLines& lines, bool is_wide = false);
+CreaseMesh make_crease_mesh(const CreaseLines& lines, bool is_wide = false);
 
 /// A pattern of quadrilaterals in columns and rows.
 struct QuadGrid {
@@ -62,6 +62,6 @@ struct QuadGrid {
 /// Finds the columns and rows of a pattern, from one of its corners.
 /// @throws InvalidInput for a pattern with other faces, with other than four creases at an inner vertex, or without
 /// columns and rows. The message counts what does not fit in the whole pattern.
-QuadGrid find_quad_grid(const CreasePattern& pattern);
+QuadGrid find_quad_grid(const CreaseMesh& pattern);
 
 }  // namespace kinetix::app

@@ -22,8 +22,7 @@ CreaseLines read_crease_lines(const std::string& text, const std::string& file) 
   return read_fold_creases(text);
 }
 
-std::vector<std::string> notes_on(const CreasePattern& pattern, const model::SolvedSigns& signs,
-                                  double moved) {
+std::vector<std::string> notes_on(const CreaseMesh& pattern, const model::SolvedSigns& signs, double moved) {
   std::vector<std::string> notes;
   if (pattern.joined)
     notes.push_back(fmt::format("ends of creases up to {:.2g} apart were joined, in the unit of the file",
@@ -46,11 +45,11 @@ std::vector<std::string> notes_on(const CreasePattern& pattern, const model::Sol
 
 /// Pattern with its columns and rows.
 struct GriddedPattern {
-  CreasePattern pattern;
+  CreaseMesh pattern;
   QuadGrid grid;
 };
 
-GriddedPattern gridded(CreasePattern pattern) {
+GriddedPattern gridded(CreaseMesh pattern) {
   QuadGrid grid = find_quad_grid(pattern);
   return {std::move(pattern), std::move(grid)};
 }
@@ -59,11 +58,11 @@ GriddedPattern gridded(CreasePattern pattern) {
 /// otherwise.
 GriddedPattern find_mesh(const CreaseLines& lines) {
   try {
-    return gridded(make_crease_pattern(lines));
+    return gridded(make_crease_mesh(lines));
   } catch (const InvalidInput&) {
     if (!lines.vertices.empty()) throw;
     try {
-      return gridded(make_crease_pattern(lines, true));
+      return gridded(make_crease_mesh(lines, true));
     } catch (const InvalidInput&) {
       // The fault of the lines as they are is the answer.
     }

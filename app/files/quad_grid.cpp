@@ -18,7 +18,7 @@ struct Misfits {
   bool is_empty() const { return faces.empty() && vertices.empty() && cuts == 0; }
 };
 
-Misfits find_misfits(const CreasePattern& p) {
+Misfits find_misfits(const CreaseMesh& p) {
   Misfits out;
   for (const model::GraphFace& face : p.faces)
     if (face.vertices.size() != 4) ++out.faces[face.vertices.size()];
@@ -59,7 +59,7 @@ std::string counts_text(const std::map<std::size_t, std::size_t>& counts, const 
 }
 
 /// Refuses a pattern in one message about all of it.
-[[noreturn]] void refuse_misfits(const CreasePattern& p, const Misfits& misfits) {
+[[noreturn]] void refuse_misfits(const CreaseMesh& p, const Misfits& misfits) {
   std::vector<std::string> parts = {
       counts_text(misfits.faces, {"face", "faces", "corners"}),
       counts_text(misfits.vertices, {"inner vertex", "inner vertices", "creases"})};
@@ -89,7 +89,7 @@ std::string counts_text(const std::map<std::size_t, std::size_t>& counts, const 
 /// Vertices in columns and rows, from a corner of the pattern.
 class GridWalk {
  public:
-  explicit GridWalk(const CreasePattern& p) : p_(p) {
+  explicit GridWalk(const CreaseMesh& p) : p_(p) {
     for (std::size_t f = 0; f < p.faces.size(); ++f)
       for (int k = 0; k < 4; ++k) beyond_[{corner(f, k), corner(f, k + 1)}] = f;
     std::vector<int> face = corner_face();
@@ -160,14 +160,14 @@ class GridWalk {
     return true;
   }
 
-  const CreasePattern& p_;
+  const CreaseMesh& p_;
   std::map<std::pair<int, int>, std::size_t> beyond_;  ///< face of each directed edge
   std::vector<std::vector<int>> rows_;
 };
 
 }  // namespace
 
-QuadGrid find_quad_grid(const CreasePattern& pattern) {
+QuadGrid find_quad_grid(const CreaseMesh& pattern) {
   if (const Misfits misfits = find_misfits(pattern); !misfits.is_empty()) refuse_misfits(pattern, misfits);
   const GridWalk grid(pattern);
   if (grid.columns() < 2 || grid.rows() < 2)

@@ -14,17 +14,17 @@ constexpr double same_vertex = 1e-6;   // cell edges: rounding
 constexpr double vertex_bin = 0.1;     // cell edges: below half the distance of vertices
 
 /// Finds vertices by their place.
-class VertexFinder {
+class PlaceFinder {
  public:
-  explicit VertexFinder(const std::vector<Vector2d>& places) : places_(places) {
+  explicit PlaceFinder(const std::vector<Vector2d>& places) : places_(places) {
     for (int v = 0; v < static_cast<int>(places.size()); ++v) bins_.emplace(find_bin(places[v]), v);
   }
 
   /// Returns the vertex at a place, or -1.
   int at(const Vector2d& place) const {
-    const auto [column, row] = find_bin(place);
-    for (long i = column - 1; i <= column + 1; ++i)
-      for (long j = row - 1; j <= row + 1; ++j) {
+    const auto [x, y] = find_bin(place);
+    for (long i = x - 1; i <= x + 1; ++i)
+      for (long j = y - 1; j <= y + 1; ++j) {
         const auto found = bins_.find({i, j});
         if (found != bins_.end() && (places_[found->second] - place).norm() < same_vertex)
           return found->second;
@@ -50,7 +50,7 @@ bool maps_onto_itself(const targets::Outline& outline, const Matrix2d& map) {
 }
 
 /// Returns the images of vertices and walls, or no vertices if the panel does not have the symmetry.
-PanelSymmetry find_images(const model::PlanarGraph& graph, const VertexFinder& finder, const Matrix2d& map) {
+PanelSymmetry find_images(const model::PlanarGraph& graph, const PlaceFinder& finder, const Matrix2d& map) {
   PanelSymmetry out{map, {}, {}};
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& p : graph.vertices) middle += p / static_cast<double>(graph.vertices.size());
@@ -93,7 +93,7 @@ void keep_group(std::vector<PanelSymmetry>& all) {
 std::vector<PanelSymmetry> find_symmetries(const model::PlanarStructure& panel,
                                            const targets::Outline& folded, const targets::Outline* flat) {
   constexpr int turns = 12;
-  const VertexFinder finder(panel.graph.vertices);
+  const PlaceFinder finder(panel.graph.vertices);
   std::vector<PanelSymmetry> all;
   const auto add = [&](const Matrix2d& map) {
     PanelSymmetry found = find_images(panel.graph, finder, map);
