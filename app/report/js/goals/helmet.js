@@ -66,12 +66,12 @@ function cellMap({structure, raw}, values, most, unit, width, label) {
 }
 
 function colourKey(most, unit) {
-  const bar = 160, steps = 33;
+  const bar = 160, steps = 33, side = 40;  // px: room for half of a label, such as "−0.081 mm"
   return drawing(
-      bar + 60, 40, "Colour scale", Array.from({length: steps}, (_, k) => svg("rect", {
-        x: 30 + (k * bar) / steps, y: 4, width: bar / steps + 0.6, height: 12, fill: tiltColour((2 * k) / (steps - 1) - 1, 1)
+      bar + 2 * side, 40, "Colour scale", Array.from({length: steps}, (_, k) => svg("rect", {
+        x: side + (k * bar) / steps, y: 4, width: bar / steps + 0.6, height: 12, fill: tiltColour((2 * k) / (steps - 1) - 1, 1)
       })),
-      svg("g", {class: "ticks"}, [-1, 0, 1].map((share) => svg("text", {x: 30 + (bar * (share + 1)) / 2, y: 32, "text-anchor": "middle"}, unit(share * most)))));
+      svg("g", {class: "ticks"}, [-1, 0, 1].map((share) => svg("text", {x: side + (bar * (share + 1)) / 2, y: 32, "text-anchor": "middle"}, unit(share * most)))));
 }
 
 function mapFigure(data, values, most, unit, label, text) {
