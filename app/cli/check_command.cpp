@@ -37,16 +37,14 @@ std::string picture_of_cuts(const targets::Node& root, const targets::DrawnWalls
 /// if a file without a drawing was refused.
 void write_check_picture(const CommandOptions& options, const std::optional<Forecast>& forecast) {
   if (options.picture.empty()) return;
-  if (const auto drawn = find_drawn_structure(
-          targets::read_changed_document(options.file, max_design_bytes, options.changes))) {
+  const targets::Node root = targets::read_changed_document(options.file, max_design_bytes, options.changes);
+  if (const auto drawn = find_drawn_structure(root)) {
     const targets::DrawnWalls walls = examine_drawn_structure(*drawn);
     std::error_code missing;  // set if the picture does not exist yet
     if (std::filesystem::equivalent(options.picture, walls.file, missing))
       throw InvalidInput("--picture would replace the drawing. Give another file", {options.picture});
     if (!walls.fault && drawn->knows("cuts"))
-      return write_file(options.picture, picture_of_cuts(targets::read_changed_document(
-                                                             options.file, max_design_bytes, options.changes),
-                                                         walls));
+      return write_file(options.picture, picture_of_cuts(root, walls));
     return write_file(options.picture, drawing_picture(walls));
   }
   if (!forecast)

@@ -359,7 +359,7 @@ void refuse_options_of_tiles(const ImportRequest& r) {
 
 int import_command(const CommandOptions& options, const ImportRequest& request) {
   Console console(options.quiet, false);
-  console.stage("reading tiles", -1);
+  console.stage("reading", -1);
   if (const auto sheet = read_sheet(request)) return import_tiles(options, request, *sheet);
   refuse_options_of_tiles(request);
   const model::HingeChoices choices = choices_of(request);

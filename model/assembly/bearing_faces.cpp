@@ -144,24 +144,6 @@ std::optional<BallFace> fitted_ball(const std::vector<int>& region, const Polyhe
 
 }  // namespace
 
-std::vector<ConeFace> cone_faces(const Polyhedron& solid) {
-  const Facets facets = facets_of(solid);
-  std::vector<ConeFace> out;
-  for (const bool hollow : {false, true})
-    for (const std::vector<int>& region : bent_regions(solid, facets, hollow ? -1 : 1))
-      if (const auto face = fitted_cone(region, solid, facets, hollow)) out.push_back(*face);
-  return out;
-}
-
-std::vector<BallFace> ball_faces(const Polyhedron& solid) {
-  const Facets facets = facets_of(solid);
-  std::vector<BallFace> out;
-  for (const bool hollow : {false, true})
-    for (const std::vector<int>& region : bent_regions(solid, facets, hollow ? -1 : 1))
-      if (const auto face = fitted_ball(region, solid, facets, hollow)) out.push_back(*face);
-  return out;
-}
-
 std::optional<PinFit> cone_fit(const ConeFace& tip, const ConeFace& cup) {
   if (tip.hollow || !cup.hollow || !(tip.axis.dot(cup.axis) > std::cos(parallel_axes))) return std::nullopt;
   const double half_angle = std::atan(tip.slope);
@@ -243,7 +225,9 @@ void add_fits(const std::vector<Face>& inner, const std::vector<Face>& outer,
 }  // namespace
 
 Bearings bearings_of(const Polyhedron& solid) {
-  return {cylinder_faces(solid), cone_faces(solid), ball_faces(solid)};
+  const BentRegions regions = bent_regions(solid);
+  return {cylinder_faces(solid, regions), fit_faces<ConeFace>(solid, regions, fitted_cone),
+          fit_faces<BallFace>(solid, regions, fitted_ball)};
 }
 
 BearingFits fits_between(const Bearings& first, const Bearings& second) {

@@ -6,7 +6,8 @@
 
 namespace kinetix::model {
 
-/// Facets of a solid that are on one circular cone.
+/// At least six facets of a solid that are on one circular cone, over more than 200 degrees. Half angles are 5 to 80
+/// degrees.
 struct ConeFace {
   bool hollow = false;      ///< true: a cup; false: the outside of a tip
   Eigen::Vector3d apex;     ///< of the whole cone, mm
@@ -16,7 +17,7 @@ struct ConeFace {
   double from = 0, to = 0;  ///< range of axis . p, mm
 };
 
-/// Facets of a solid that are on one ball.
+/// At least three rings of facets of a solid that are on one ball.
 struct BallFace {
   bool hollow = false;     ///< true: a socket or a dimple; false: the outside of a ball or a bump
   Eigen::Vector3d center;  ///< mm
@@ -24,11 +25,6 @@ struct BallFace {
   double inner_mm = 0;     ///< least distance of its facets from the center, mm
   double reach = 0;        ///< largest angle of its corners from its middle, rad: pi / 2 is a half ball
 };
-
-/// Finds all cone faces with at least six facets and more than 200 degrees. Half angles are 5 to 80 degrees.
-std::vector<ConeFace> cone_faces(const Polyhedron& solid);
-/// Finds all ball faces of at least three rings of facets.
-std::vector<BallFace> ball_faces(const Polyhedron& solid);
 
 /// Returns the fit of a conical tip in a cup, as pin_fit. Their axes are parallel to 1 degree, their half angles equal to
 /// 5 degrees. The rod's diameter is that of the tip in the middle of the overlap, the clearance normal to the cones.

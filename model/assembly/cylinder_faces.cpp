@@ -94,8 +94,8 @@ Eigen::Vector3d circle_of_corners(std::vector<Vector2d> points) {
   return circle;
 }
 
-std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhedron& solid,
-                                   const Facets& facets, bool hollow) {
+std::optional<CylinderFace> fitted_cylinder(const std::vector<int>& region, const Polyhedron& solid,
+                                            const Facets& facets, bool hollow) {
   const FoundAxis axis = axis_of(region, solid, facets);
   if (!(axis.lean < roundness)) return std::nullopt;
   Vector3d d = axis.direction;
@@ -139,8 +139,6 @@ std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhed
   return face;
 }
 
-}  // namespace
-
 Facets facets_of(const Polyhedron& solid) {
   Facets out;
   for (const auto& t : solid.triangles) {
@@ -151,7 +149,8 @@ Facets facets_of(const Polyhedron& solid) {
   return out;
 }
 
-std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign) {
+/// @param sign 1 for convex faces, -1 for hollow ones
+std::vector<std::vector<int>> regions_of_sign(const Polyhedron& solid, const Facets& facets, double sign) {
   UnionFind sets(solid.triangles.size());
   std::vector<char> is_bent(solid.triangles.size(), 0);
   for (const Edge& e : inner_edges(solid)) {
@@ -170,6 +169,15 @@ std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets
   return out;
 }
 
+}  // namespace
+
+BentRegions bent_regions(const Polyhedron& solid) {
+  BentRegions out{facets_of(solid), {}, {}};
+  out.convex = regions_of_sign(solid, out.facets, 1);
+  out.hollow = regions_of_sign(solid, out.facets, -1);
+  return out;
+}
+
 double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
   std::vector<double> angles;
   for (const Vector2d& p : points) angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));
@@ -179,13 +187,8 @@ double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
   return gap < max_bend + flat_bend ? 2 * pi : 2 * pi - gap;
 }
 
-std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid) {
-  const Facets facets = facets_of(solid);
-  std::vector<CylinderFace> out;
-  for (const bool hollow : {false, true})
-    for (const std::vector<int>& region : bent_regions(solid, facets, hollow ? -1 : 1))
-      if (const auto face = fitted(region, solid, facets, hollow)) out.push_back(*face);
-  return out;
+std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid, const BentRegions& regions) {
+  return fit_faces<CylinderFace>(solid, regions, fitted_cylinder);
 }
 
 std::optional<PinFit> pin_fit(const CylinderFace& rod, const CylinderFace& bore) {

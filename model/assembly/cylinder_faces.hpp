@@ -22,11 +22,24 @@ struct Facets {
   std::vector<Eigen::Vector3d> normals;  ///< unit vectors; zero for triangles without area
   std::vector<Eigen::Vector3d> centers;  ///< mm
 };
-Facets facets_of(const Polyhedron& solid);
 
-/// Returns the sets of triangles that are connected by edges with a bend of one sign, or none.
-/// @param sign 1 for convex faces, -1 for hollow ones
-std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign);
+/// Sets of triangles that are connected by edges with a bend of one sign, or none.
+struct BentRegions {
+  Facets facets;
+  std::vector<std::vector<int>> convex, hollow;
+};
+BentRegions bent_regions(const Polyhedron& solid);
+
+/// Fits a face to each region. @param fit takes a region, the solid, its facets and whether the region is hollow, and
+/// returns an optional face
+template <class Face, class Fit>
+std::vector<Face> fit_faces(const Polyhedron& solid, const BentRegions& regions, const Fit& fit) {
+  std::vector<Face> out;
+  for (const bool hollow : {false, true})
+    for (const std::vector<int>& region : hollow ? regions.hollow : regions.convex)
+      if (const auto face = fit(region, solid, regions.facets, hollow)) out.push_back(*face);
+  return out;
+}
 
 /// Returns the angle covered about a center: 2 pi minus the largest gap between neighbouring corners, rad.
 double covered(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& center);
@@ -45,7 +58,7 @@ struct CylinderFace {
 /// Finds all cylinder faces with at least six facets and more than 200 degrees; a smaller angle does not retain a
 /// rod. Neighbouring facets share an edge along the axis, where the surface turns by up to 35 degrees. Circles
 /// therefore need 12 sides or more.
-std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid);
+std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid, const BentRegions& regions);
 
 /// A rod of one body in the bore of another.
 struct PinFit {

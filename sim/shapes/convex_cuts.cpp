@@ -165,7 +165,7 @@ class Cutter {
  private:
   /// Finds round hollows that are large for the solid, and their triangles.
   void find_bores() {
-    for (const model::CylinderFace& face : model::cylinder_faces(solid_))
+    for (const model::CylinderFace& face : model::cylinder_faces(solid_, model::bent_regions(solid_)))
       if (face.hollow && face.radius_mm > large_bore * side_) bores_.push_back(face);
     bore_of_.assign(solid_.triangles.size(), -1);
     for (std::size_t t = 0; t < bore_of_.size(); ++t) {

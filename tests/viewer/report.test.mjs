@@ -3,19 +3,17 @@ import assert from "node:assert/strict";
 import {existsSync, readFileSync, statSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {after, before, test} from "node:test";
-import {browser, drawn, emptyPage, folder, resize, run, SHAPES} from "./studio.mjs";
+import {browser, complaintsOf, drawn, emptyPage, folder, resize, run, SHAPES} from "./studio.mjs";
 
 const MOST_BYTES = 1.2e6;  // of a report
 const WIDE = [1100, 800], NARROW = [390, 800];  // CSS pixels
 const home = folder();
-let chrome, page, shown;  // the name of the shape whose report the page shows
-const complaints = [];
+let chrome, page, complaints, shown;  // the name of the shape whose report the page shows
 
 before(async () => {
   chrome = await browser();
   page = await emptyPage(chrome, ...WIDE);
-  page.on("console", (message) => ["error", "warn"].includes(message.type()) && !/GL Driver Message/.test(message.text()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  complaints = complaintsOf(page);
 });
 after(() => chrome?.close());
 

@@ -77,10 +77,16 @@ export async function open(chrome, address, {width = 1280, height = 800, tab = n
   return {page, complaints};
 }
 
-async function newTab(chrome, width, height) {
-  const page = await emptyPage(chrome, width, height), complaints = [];
+/** Returns a list that gets what the scripts of a page complain about. */
+export function complaintsOf(page) {
+  const complaints = [];
   page.on("console", (message) => ["error", "warn"].includes(message.type()) && !/GL Driver Message/.test(message.text()) && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(String(error)));
+  return complaints;
+}
+
+async function newTab(chrome, width, height) {
+  const page = await emptyPage(chrome, width, height), complaints = complaintsOf(page);
   page.on("requestfailed", (request) => complaints.push(`not loaded: ${request.url()}`));
   return {page, complaints};
 }

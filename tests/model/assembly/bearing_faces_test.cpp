@@ -73,32 +73,32 @@ Polyhedron socket(int last_deg) {
 }
 
 TEST(BearingFaces, FindTipsAndCups) {
-  const std::vector<ConeFace> tips = cone_faces(two_tips());
+  const std::vector<ConeFace> tips = bearings_of(two_tips()).cones;
   ASSERT_EQ(tips.size(), 2u);
   for (const ConeFace& tip : tips) {
     EXPECT_FALSE(tip.hollow);
     EXPECT_NEAR(tip.slope, 1, 1e-9);
     EXPECT_NEAR((tip.apex - Vector3d(0, 0, -5 * tip.axis.z())).norm(), 0, 1e-9);
   }
-  const std::vector<ConeFace> cups = cone_faces(cup(false));
+  const std::vector<ConeFace> cups = bearings_of(cup(false)).cones;
   ASSERT_EQ(cups.size(), 1u);
   EXPECT_TRUE(cups[0].hollow);
   EXPECT_NEAR(cups[0].axis.z(), -1, 1e-9);
-  EXPECT_TRUE(ball_faces(two_tips()).empty());
-  EXPECT_TRUE(ball_faces(cup(false)).empty()) << "the rings of a cone are on a sphere, too";
+  EXPECT_TRUE(bearings_of(two_tips()).balls.empty());
+  EXPECT_TRUE(bearings_of(cup(false)).balls.empty()) << "the rings of a cone are on a sphere, too";
 }
 
 TEST(BearingFaces, FindBallsAndSockets) {
-  const std::vector<BallFace> balls = ball_faces(ball_on_stick());
+  const std::vector<BallFace> balls = bearings_of(ball_on_stick()).balls;
   ASSERT_EQ(balls.size(), 1u);
   EXPECT_FALSE(balls[0].hollow);
   EXPECT_NEAR(balls[0].radius_mm, 3, 1e-9);
   EXPECT_NEAR(balls[0].center.norm(), 0, 1e-9);
-  const std::vector<BallFace> sockets = ball_faces(socket(120));
+  const std::vector<BallFace> sockets = bearings_of(socket(120)).balls;
   ASSERT_EQ(sockets.size(), 1u);
   EXPECT_TRUE(sockets[0].hollow);
   EXPECT_NEAR(sockets[0].reach, 120 * radians_per_degree, 1e-6);
-  EXPECT_TRUE(cone_faces(ball_on_stick()).empty());
+  EXPECT_TRUE(bearings_of(ball_on_stick()).cones.empty());
 }
 
 TEST(BearingFaces, TipsInCupsArePinsOfAnAssembly) {
