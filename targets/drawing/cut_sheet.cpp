@@ -32,6 +32,7 @@ constexpr int bridge_corners = 16;           // of the polygon round its middle
 // Ratio to half the width of a bridge: the corners of two pieces that turn by 90 degrees to each other just meet there.
 constexpr double bridge_radius = std::numbers::sqrt2;
 constexpr double least_relieved = 0.5;  // share of a piece that its bridges leave
+constexpr double main_share = 0.6;      // of the sheet: other pieces fall out of a larger one
 constexpr int max_joint_rounds = 20;    // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
 constexpr std::size_t max_rim_steps = 2'000'000'000;
@@ -312,7 +313,15 @@ class SheetCutter {
 
   /// Refuses a sheet without two pieces that hang together.
   [[noreturn]] void refuse_rigid() const {
-    if (out_.pieces.size() > 1)
+    double largest = 0, all = 0;
+    for (const SheetPiece& piece : out_.pieces) {
+      double area = 0;
+      for (const FlatRing& ring : piece) area += signed_area(ring);
+      largest = std::max(largest, area);
+      all += area;
+    }
+    const std::size_t others = out_.pieces.empty() ? 0 : out_.pieces.size() - 1;
+    if (others > 0 && largest <= main_share * all)
       throw InvalidInput(
           fmt::format("the lines cut the sheet into {} loose pieces. End cuts short of other lines, so that "
                       "bridges stay between them",
@@ -325,8 +334,8 @@ class SheetCutter {
             ? "Draw cuts whose ends come near other cuts"
             : fmt::format("Set structure.bridge_mm to more: the next gap is {:.3g} mm wide", next->gap());
     throw InvalidInput(
-        fmt::format("the sheet stays in one piece: no bridges up to {:.3g} mm wide separate "
-                    "it. {}",
+        fmt::format("the sheet stays in one piece{}: no bridges up to {:.3g} mm wide separate it. {}",
+                    others > 0 ? fmt::format(", and {} inside closed lines fall out", others) : "",
                     out_.bridge_mm, advice));
   }
 
