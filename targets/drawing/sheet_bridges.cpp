@@ -12,6 +12,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <queue>
 
 #include "model/base/algorithms.hpp"
@@ -32,6 +33,10 @@ const double ahead =
     std::cos(75 * radians_per_degree);  // of the angle between a cut and the bridge at its end
 const double behind =
     std::cos(55 * radians_per_degree);  // of the angle of a cut behind its tip, at a gap's distance
+constexpr double bridge_share = 0.5;    // of the median cut: wider gaps are not narrow places
+constexpr int bridge_corners = 16;      // of the polygon round its middle
+// Ratio to half the width of a bridge: the corners of two pieces that turn by 90 degrees to each other just meet there.
+constexpr double bridge_radius = std::numbers::sqrt2;
 constexpr double same_cut = 3;  // gaps: a cut that returns within this length along it does not face itself
 constexpr double blunt_reach = 3;    // gaps: a slot goes back within this distance of its blunt end
 constexpr double same_place = 0.75;  // gaps: bridges of round ends with ends this near are one
@@ -305,6 +310,39 @@ class BridgeFinder {
 };
 
 }  // namespace
+
+double default_bridge(const model::PlanarGraph& cuts, const std::vector<bool>& is_rim) {
+  UnionFind groups(cuts.vertices.size());
+  for (std::size_t e = 0; e < cuts.edges.size(); ++e)
+    if (!is_rim[e]) groups.unite(cuts.edges[e].from, cuts.edges[e].to);
+  std::vector<double> length_of(cuts.vertices.size(), 0), lengths;
+  std::vector<int> loops(cuts.vertices.size(), 0);  // edges less vertices
+  for (std::size_t e = 0; e < cuts.edges.size(); ++e)
+    if (!is_rim[e]) {
+      const int group = groups.find(cuts.edges[e].from);
+      length_of[group] += cuts.along(static_cast<int>(e)).norm();
+      ++loops[group];
+    }
+  for (std::size_t v = 0; v < cuts.vertices.size(); ++v) --loops[groups.find(static_cast<int>(v))];
+  for (std::size_t v = 0; v < length_of.size(); ++v)
+    if (loops[v] >= 0) length_of[v] /= 2;
+  std::copy_if(length_of.begin(), length_of.end(), std::back_inserter(lengths),
+               [](double length) { return length > 0; });
+  if (lengths.empty()) throw InvalidInput("the drawing has an outline, and no cuts. Draw each cut as a line");
+  return bridge_share * lower_median(std::move(lengths));
+}
+
+model::FlatRing bridge_outline(const Vector2d& from, const Vector2d& to, double kerf_mm) {
+  const double half = (to - from).norm() / 2, limit = half - kerf_mm / 2, radius = bridge_radius * half;
+  const Vector2d along = (to - from).normalized(), across = model::turned_by_90(along);
+  model::FlatRing out;
+  for (int k = 0; k < bridge_corners; ++k) {
+    const double angle = 2 * pi * k / bridge_corners;
+    out.push_back((from + to) / 2 + std::clamp(radius * std::cos(angle), -limit, limit) * along +
+                  radius * std::sin(angle) * across);
+  }
+  return out;
+}
 
 std::vector<SheetBridge> find_bridges(const model::PlanarGraph& cuts, double widest,
                                       const std::vector<bool>& is_rim,

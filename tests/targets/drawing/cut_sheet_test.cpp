@@ -173,6 +173,13 @@ TEST(CutSheet, RefusesSheetsThatDoNotComeApart) {
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 20, 10}})), HasSubstr("2 loose pieces"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{5, 5, 9, 5}, {9, 5, 9, 9}, {9, 9, 5, 5}}), {.bridge_mm = 2}),
               HasSubstr("one piece, and 1 inside closed lines fall out"));
+  // Two small pieces hang together inside a window, and the sheet around it is in one piece.
+  EXPECT_THAT(
+      cut_refusal(
+          within(100, 100,
+                 {{40, 40, 60, 40}, {60, 40, 60, 60}, {60, 60, 40, 60}, {40, 60, 40, 40}, {40, 50, 58, 50}}),
+          {.bridge_mm = 3}),
+      HasSubstr("the sheet stays in one piece"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 10, 10}}), {.bridge_mm = 2}),
               HasSubstr("the next gap is 10 mm"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 19.85, 10}})), HasSubstr("process.kerf_mm"));
