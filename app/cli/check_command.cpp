@@ -202,13 +202,13 @@ void announce_check(const std::string& file, const model::Lattice& sheet, const 
 
 }  // namespace
 
-std::string CheckedDrawing::text() const {
-  return fmt::format("{:.4g} x {:.4g} mm; {}", size_mm.x(), size_mm.y(), unit);
+std::string CheckedDrawing::size_text() const {
+  return fmt::format("{:.4g} x {:.4g} mm", size_mm.x(), size_mm.y());
 }
 
 std::string CheckedFile::text() const {
   std::string out = fmt::format("{}: valid {} '{}'\n", file, kind, name);
-  if (drawing) out += line("drawing", drawing->text());
+  if (drawing) out += line("drawing", drawing->size_text() + "; " + drawing->unit);
   if (!cuts.empty()) out += line("sheet", cuts);
   if (forecast) out += text_of(*forecast, kind == "design" ? of_motion : "");
   if (contact)
@@ -232,7 +232,10 @@ ShortForm CheckedFile::short_form() const {
     if (forecast->folded_mm) out.lines[1][1] += "; folded about " + size_text(*forecast->folded_mm);
     for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
   }
-  if (drawing) out.lines.push_back({"drawing", drawing->text()});
+  // Early, since problems replace the last lines; separate, since long lines lose their last parts.
+  if (drawing)
+    out.lines.insert(out.lines.begin() + (out.lines.empty() ? 0 : 1),
+                     {{"drawing", drawing->size_text()}, {"unit", drawing->unit}});
   if (!cuts.empty()) out.lines.push_back({"sheet", cuts});
   if (contact)
     out.lines.push_back(

@@ -31,7 +31,7 @@ struct CheckedDrawing {
   Eigen::Vector2d size_mm;
   std::string unit;  ///< of its numbers, and where it is from
 
-  std::string text() const;
+  std::string size_text() const;
 };
 
 /// Result of `check` for a valid file.

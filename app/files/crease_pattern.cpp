@@ -18,9 +18,8 @@ namespace kinetix::app {
 namespace {
 
 constexpr const char* crease_colours =
-    "red for mountains, blue for valleys, black for the boundary, yellow for flat creases, green for cuts, "
-    "or "
-    "magenta for creases without a letter";
+    "red for mountains, blue for valleys, black for the boundary, yellow or grey for flat creases, green for "
+    "cuts, or magenta for creases without a letter";
 
 /// Returns the letter of a colour, 0xRRGGBB; 0 for colours without one.
 char letter_of_colour(int colour) {
@@ -35,7 +34,9 @@ char letter_of_colour(int colour) {
   if (is(true, false, false)) return 'M';
   if (is(false, false, true)) return 'V';
   if (is(false, false, false)) return 'B';
-  if (is(true, true, false)) return 'F';
+  // Grey lines are flat or auxiliary in files of ORIPA, Rabbit Ear and Flat-Folder.
+  const bool is_grey = red == green && green == blue;
+  if (is(true, true, false) || is_grey) return 'F';
   if (is(true, false, true)) return 'U';
   return 0;
 }

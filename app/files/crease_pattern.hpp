@@ -22,7 +22,7 @@ struct CreaseLines {
 CreaseLines read_fold_creases(const std::string& text);
 
 /// Reads the creases of an SVG or DXF drawing by the colours of Origami Simulator. Mountains are red, valleys blue, flat
-/// creases yellow and creases without a letter magenta. The boundary is black, and cuts are green.
+/// creases yellow or grey, and creases without a letter magenta. The boundary is black, and cuts are green.
 /// @throws InvalidInput with a line for curves and other colours
 CreaseLines read_drawn_creases(const targets::Drawing& drawing);
 

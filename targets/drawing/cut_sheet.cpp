@@ -25,14 +25,11 @@ using SheetPiece = std::vector<FlatRing>;
 
 constexpr double sheet_grid_mm = 1e-5;       // mm: areas are exact on this grid
 constexpr double largest_sheet_mm = 20'000;  // mm: as far as whole numbers of grid steps reach
-constexpr double bridge_share = 0.5;         // of the median cut: wider gaps are not narrow places
 constexpr double dust_kerfs = 4;             // squared kerfs: smaller areas between lines fall out as dust
 constexpr double straight_share = 3;         // grid steps: corners that leave a line by less are rounding
-constexpr int bridge_corners = 16;           // of the polygon round its middle
-// Ratio to half the width of a bridge: the corners of two pieces that turn by 90 degrees to each other just meet there.
-constexpr double bridge_radius = std::numbers::sqrt2;
-constexpr double least_relieved = 0.5;  // share of a piece that its bridges leave
-constexpr int max_joint_rounds = 20;    // of leaving out bridges that separate nothing
+constexpr double least_relieved = 0.5;       // share of a piece that its bridges leave
+constexpr double main_share = 0.9;    // of width and height: other pieces fall out of one that is as large
+constexpr int max_joint_rounds = 20;  // of leaving out bridges that separate nothing
 // Steps of comparing places with the outline of the sheet, some seconds.
 constexpr std::size_t max_rim_steps = 2'000'000'000;
 constexpr std::size_t max_sheet_pieces = 20'000;  // as many bodies as a motion is computed for
@@ -55,6 +52,13 @@ bool is_within(const SheetPiece& piece, const Vector2d& p) {
         is_in = !is_in;
     }
   return is_in;
+}
+
+/// Returns the area of a piece, whose holes are clockwise.
+double piece_area(const SheetPiece& piece) {
+  double area = 0;
+  for (const FlatRing& ring : piece) area += signed_area(ring);
+  return area;
 }
 
 double distance_to_rings(const SheetPiece& piece, const Vector2d& p) {
@@ -197,28 +201,13 @@ class SheetCutter {
       lines_.push_back({.from = corners[k], .to = corners[(k + 1) % 4], .colour = has_green_ ? green : 0});
   }
 
-  /// Returns half of the median cut. A cut is a group of connected lines inside the sheet.
-  double default_bridge(const std::vector<bool>& is_rim) const {
-    UnionFind groups(cuts_.vertices.size());
-    for (std::size_t e = 0; e < cuts_.edges.size(); ++e)
-      if (!is_rim[e]) groups.unite(cuts_.edges[e].from, cuts_.edges[e].to);
-    std::vector<double> length_of(cuts_.vertices.size(), 0), lengths;
-    for (std::size_t e = 0; e < cuts_.edges.size(); ++e)
-      if (!is_rim[e]) length_of[groups.find(cuts_.edges[e].from)] += cuts_.along(static_cast<int>(e)).norm();
-    std::copy_if(length_of.begin(), length_of.end(), std::back_inserter(lengths),
-                 [](double length) { return length > 0; });
-    if (lengths.empty())
-      throw InvalidInput("the drawing has an outline, and no cuts. Draw each cut as a line");
-    return bridge_share * lower_median(std::move(lengths));
-  }
-
   void find_joint_segments() {
     is_rim_.clear();
     for (const auto& [from, to] : cuts_.edges)
       is_rim_.push_back(is_on_rim((cuts_.vertices[from] + cuts_.vertices[to]) / 2));
     ends_in_crease_.assign(cuts_.vertices.size(), false);
     for (const auto& [from, to] : creases_) ends_in_crease_[from] = ends_in_crease_[to] = true;
-    out_.bridge_mm = settings_.bridge_mm ? *settings_.bridge_mm : default_bridge(is_rim_);
+    out_.bridge_mm = settings_.bridge_mm ? *settings_.bridge_mm : default_bridge(cuts_, is_rim_);
     for (const SheetBridge& bridge : bridges(out_.bridge_mm)) segments_.push_back({bridge.from, bridge.to});
     for (const auto& [from, to] : creases_)
       segments_.push_back({cuts_.vertices[from], cuts_.vertices[to], true});
@@ -289,6 +278,11 @@ class SheetCutter {
     for (const SheetJoint& joint : out_.joints) groups.unite(joint.lower, joint.upper);
     const std::vector<int> group = out_.pieces.empty() ? std::vector<int>() : groups.largest();
     if (group.size() < 2) refuse_rigid();
+    // A loose piece that is larger than the group is the sheet, and the group is a detail of it.
+    double area = 0, largest = 0;
+    for (const SheetPiece& piece : out_.pieces) largest = std::max(largest, piece_area(piece));
+    for (const int k : group) area += piece_area(out_.pieces[k]);
+    if (largest > area) refuse_rigid();
     out_.loose = static_cast<int>(out_.pieces.size() - group.size());
     std::vector<int> number(out_.pieces.size(), -1);
     std::vector<SheetPiece> pieces;
@@ -312,12 +306,21 @@ class SheetCutter {
 
   /// Refuses a sheet without two pieces that hang together.
   [[noreturn]] void refuse_rigid() const {
-    if (out_.pieces.size() > 1)
+    const auto spans_sheet = [&](const Eigen::AlignedBox2d& box) {
+      return (box.sizes().array() >= main_share * box_.sizes().array()).all();
+    };
+    const std::size_t others = out_.pieces.empty() ? 0 : out_.pieces.size() - 1;
+    if (others > 0 && std::none_of(boxes_.begin(), boxes_.end(), spans_sheet))
       throw InvalidInput(
           fmt::format("the lines cut the sheet into {} loose pieces. End cuts short of other lines, so that "
                       "bridges stay between them",
                       out_.pieces.size()));
-    const std::vector<SheetBridge> wider = bridges(box_.sizes().norm());
+    std::vector<SheetBridge> wider;
+    try {
+      wider = bridges(box_.sizes().norm());
+    } catch (const InvalidInput&) {
+      wider.clear();  // There are too many lines to look so far.
+    }
     const auto next = std::find_if(wider.begin(), wider.end(),
                                    [&](const SheetBridge& b) { return b.gap() > out_.bridge_mm; });
     const std::string advice =
@@ -325,8 +328,8 @@ class SheetCutter {
             ? "Draw cuts whose ends come near other cuts"
             : fmt::format("Set structure.bridge_mm to more: the next gap is {:.3g} mm wide", next->gap());
     throw InvalidInput(
-        fmt::format("the sheet stays in one piece: no bridges up to {:.3g} mm wide separate "
-                    "it. {}",
+        fmt::format("the sheet stays in one piece{}: no bridges up to {:.3g} mm wide separate it. {}",
+                    others > 0 ? fmt::format(", and {} inside closed lines fall out", others) : "",
                     out_.bridge_mm, advice));
   }
 
@@ -383,18 +386,6 @@ bool has_green_cuts(const std::vector<DrawnLine>& lines) {
 
 bool is_crease(const DrawnLine& line, bool has_green) {
   return has_green && (line.colour == 0xFF0000 || line.colour == 0x0000FF || line.colour == 0xFF00FF);
-}
-
-FlatRing bridge_outline(const Vector2d& from, const Vector2d& to, double kerf_mm) {
-  const double half = (to - from).norm() / 2, limit = half - kerf_mm / 2, radius = bridge_radius * half;
-  const Vector2d along = (to - from).normalized(), across = model::turned_by_90(along);
-  FlatRing out;
-  for (int k = 0; k < bridge_corners; ++k) {
-    const double angle = 2 * pi * k / bridge_corners;
-    out.push_back((from + to) / 2 + std::clamp(radius * std::cos(angle), -limit, limit) * along +
-                  radius * std::sin(angle) * across);
-  }
-  return out;
 }
 
 CutSheet make_cut_sheet(std::vector<DrawnLine> lines, const CutSettings& settings) {

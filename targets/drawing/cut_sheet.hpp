@@ -58,6 +58,11 @@ struct SheetBridge {
   double gap() const { return (to - from).norm(); }
 };
 
+/// Returns half of the median cut. A cut is a group of connected lines inside the sheet. A closed one, such as a slot,
+/// is half as long as its outline.
+/// @throws InvalidInput if there are no cuts inside the sheet
+double default_bridge(const model::PlanarGraph& cuts, const std::vector<bool>& is_rim);
+
 /// Finds the bridges between cuts. A tip is an open end, or a corner, crossbar or round end whose cut stays behind it.
 /// The bridge of an open end reaches to the nearest point within 75 degrees of the direction of its cut.
 /// @param cuts graph of all cuts and the outline   @param widest largest gap of a bridge, > 0.

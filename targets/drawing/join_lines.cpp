@@ -30,7 +30,9 @@ using MapOfBoxes = bgi::rtree<std::pair<MapBox, int>, bgi::quadratic<16>>;
 constexpr double rounding = 4e-6;
 constexpr double near_miss = 10;             // joining distances
 constexpr std::size_t max_pairs = 50 << 20;  // pairs of lines near each other, some seconds
-constexpr int max_rounds = 30;               // of splitting: a drawing needs two or three
+constexpr double most_rough =
+    1e4;                        // roundings: to look for the median wall of lines that run near each other
+constexpr int max_rounds = 30;  // of splitting: a drawing needs two or three
 
 MapPoint map_point(const Vector2d& p) { return {p.x(), p.y()}; }
 
@@ -72,7 +74,10 @@ struct Piece {
   int line;  ///< index of the line
 };
 
-/// Splits lines at their common places, in rounds.
+/// Lines that the joining distance does not separate.
+struct TooNear {};
+
+/// Splits lines at their common places, in rounds. @throws TooNear
 class LineSplitter {
  public:
   LineSplitter(const std::vector<DrawnLine>& lines, double join) : lines_(lines), join_(join), places_(join) {
@@ -117,9 +122,7 @@ class LineSplitter {
     if (round > max_rounds) fail();
   }
 
-  [[noreturn]] static void fail() {
-    throw InvalidInput("lines run too near each other to be separated. Set structure.join_mm to less");
-  }
+  [[noreturn]] static void fail() { throw TooNear(); }
 
   MapOfBoxes map_of_pieces() const {
     std::vector<std::pair<MapBox, int>> boxes;
@@ -296,14 +299,30 @@ double median_wall(const model::PlanarGraph& graph) {
   return 0;
 }
 
+/// Joins lines in a distance; empty if it does not separate them.
+std::optional<JoinedLines> try_to_join(const std::vector<DrawnLine>& lines, double near) {
+  try {
+    return LineSplitter(lines, near).result();
+  } catch (const TooNear&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 JoinedLines join_lines(const std::vector<DrawnLine>& lines, std::optional<double> join) {
   const double least = rounding * mean_length(lines);
   if (!(least > 0)) throw InvalidInput("the drawing has no lines with a length. Draw each wall as one line");
-  if (join) return LineSplitter(lines, std::max(*join, least)).result();
-  const JoinedLines rough = LineSplitter(lines, least).result();
-  return LineSplitter(lines, std::max(default_join * median_wall(rough.graph), least)).result();
+  if (join) {
+    if (auto joined = try_to_join(lines, std::max(*join, least))) return std::move(*joined);
+    throw InvalidInput("lines run too near each other to be separated. Change structure.join_mm");
+  }
+  std::optional<JoinedLines> rough;
+  for (double near = least; !rough && near < most_rough * least; near *= 10) rough = try_to_join(lines, near);
+  if (!rough) throw InvalidInput("lines run too near each other to be separated. Draw them farther apart");
+  for (double near = default_join * median_wall(rough->graph); near > rough->join; near /= 4)
+    if (auto joined = try_to_join(lines, near)) return std::move(*joined);
+  return std::move(*rough);
 }
 
 std::vector<NearMiss> find_near_misses(const JoinedLines& joined) {

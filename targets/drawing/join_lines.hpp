@@ -24,7 +24,8 @@ inline constexpr double default_join = 2e-3;
 
 /// Makes a planar graph of lines. Ends within `join` become one vertex. Lines are split where others end on them or
 /// cross them, and lines that overlap are merged.
-/// @param join in the unit of the lines, > 0; empty: the default share of the median wall.
+/// @param join in the unit of the lines, > 0; empty: the default share of the median wall, or less if lines are nearer
+/// to each other.
 /// @throws InvalidInput without a place for lines without length, and for more walls than a lattice may have
 JoinedLines join_lines(const std::vector<DrawnLine>& lines, std::optional<double> join = {});
 

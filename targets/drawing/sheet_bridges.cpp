@@ -1,5 +1,6 @@
 #include "targets/drawing/cut_sheet.hpp"
 
+#include <fmt/format.h>
 #include <boost/geometry/algorithms/comparable_distance.hpp>
 #include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/algorithms/equals.hpp>
@@ -11,8 +12,10 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <queue>
 
+#include "model/base/algorithms.hpp"
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
@@ -30,7 +33,12 @@ const double ahead =
     std::cos(75 * radians_per_degree);  // of the angle between a cut and the bridge at its end
 const double behind =
     std::cos(55 * radians_per_degree);  // of the angle of a cut behind its tip, at a gap's distance
+constexpr double bridge_share = 0.5;    // of the median cut: wider gaps are not narrow places
+constexpr int bridge_corners = 16;      // of the polygon round its middle
+// Ratio to half the width of a bridge: the corners of two pieces that turn by 90 degrees to each other just meet there.
+constexpr double bridge_radius = std::numbers::sqrt2;
 constexpr double same_cut = 3;  // gaps: a cut that returns within this length along it does not face itself
+constexpr double blunt_reach = 3;    // gaps: a slot goes back within this distance of its blunt end
 constexpr double same_place = 0.75;  // gaps: bridges of round ends with ends this near are one
 constexpr double nearly = 1e-4;      // ratio: gaps that differ by less are equal
 // Ratio to the nearest point: an end or a junction of cuts this near is taken instead, which keeps bridges symmetric.
@@ -72,6 +80,7 @@ class BridgeFinder {
       }
     }
     map_ = GapMap(boxes);
+    find_slots();
   }
 
   std::vector<SheetBridge> run(const std::vector<bool>& ends_in_crease) {
@@ -88,6 +97,17 @@ class BridgeFinder {
     bool is_end = false;
   };
 
+  /// Marks the vertices of slots: closed lines, and lines from the outline to the outline.
+  void find_slots() {
+    UnionFind groups(edges_of_.size());
+    for (const auto& [from, to] : cuts_.edges)
+      if (!on_rim_[from] && !on_rim_[to]) groups.unite(from, to);
+    std::vector<bool> is_slot(edges_of_.size(), true);
+    for (int v = 0; v < static_cast<int>(edges_of_.size()); ++v)
+      if (edges_of_[v].size() != 2) is_slot[groups.find(v)] = false;
+    for (int v = 0; v < static_cast<int>(edges_of_.size()); ++v) in_slot_.push_back(is_slot[groups.find(v)]);
+  }
+
   Vector2d at(int vertex) const { return cuts_.vertices[vertex]; }
   int other_end(int edge, int v) const {
     return cuts_.edges[edge].from == v ? cuts_.edges[edge].to : cuts_.edges[edge].from;
@@ -95,7 +115,8 @@ class BridgeFinder {
 
   void count_gap_pair() {
     if (++pairs_ > max_gap_pairs)
-      throw InvalidInput("too many lines are near each other. Set structure.bridge_mm to less");
+      throw InvalidInput(fmt::format(
+          "too many lines are near each other. Set structure.bridge_mm to less than {:.3g}", widest_));
   }
 
   /// Returns the nearest points of all lines near a tip that do not end at it, nearest first.
@@ -151,24 +172,52 @@ class BridgeFinder {
   }
 
   void add_bridge_of_tip(int v) {
-    const std::map<int, double> way = ways_from(v);
+    const std::map<int, double> way = ways_from(v, same_cut * widest_);
     for (const FacingPoint& point : facing_points(v)) {
       if (is_same_cut(point, way)) continue;
       if (!is_visible(at(v), point.place)) continue;
-      if (stays_behind(v, point, way)) candidates_.push_back({{at(v), point.place}, false});
+      if (stays_behind(v, point, way, point.gap))
+        candidates_.push_back({{at(v), point.place}, false});
+      else if (in_slot_[v])
+        add_blunt_bridge(v, point);
       return;
     }
   }
 
-  /// Returns the lengths of the ways along cuts to all vertices that are near.
-  std::map<int, double> ways_from(int v) {
+  /// Adds the bridge at the middle of a blunt end, which may be straight from a tip to another.
+  void add_blunt_bridge(int v, const FacingPoint& point) {
+    const double reach = blunt_reach * point.gap;
+    const std::map<int, double> way = ways_from(v, same_cut * reach);
+    if (!stays_behind(v, point, way, reach)) return;
+    const Vector2d along = (point.place - at(v)) / point.gap;
+    Vector2d half(0, 0);
+    for (const auto& [near, length] : way) {
+      const Vector2d offset = at(near) - at(v);
+      if (length <= (1 + nearly) * offset.norm() && std::abs(offset.dot(along)) <= nearly * point.gap &&
+          offset.norm() > 2 * half.norm())
+        half = offset / 2;
+    }
+    if (!is_on_cut(point.place + half, nearly * point.gap)) half.setZero();
+    candidates_.push_back({{at(v) + half, point.place + half}, false});
+  }
+
+  bool is_on_cut(const Vector2d& p, double near) const {
+    for (auto found = map_.qbegin(bgi::intersects(gap_box(p, p, near))); found != map_.qend(); ++found) {
+      const auto [from, to] = cuts_.edges[found->second];
+      if (model::distance_to_wall(p, at(from), at(to)) <= near) return true;
+    }
+    return false;
+  }
+
+  /// Returns the lengths of the ways along cuts to all vertices up to a distance.
+  std::map<int, double> ways_from(int v, double most) {
     std::map<int, double> way;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
     open.push({0, v});
     while (!open.empty()) {
       const auto [length, here] = open.top();
       open.pop();
-      if (length > same_cut * widest_ || !way.try_emplace(here, length).second) continue;
+      if (length > most || !way.try_emplace(here, length).second) continue;
       for (const int e : edges_of_[here]) {
         count_gap_pair();
         const int next = other_end(e, here);
@@ -193,19 +242,19 @@ class BridgeFinder {
     });
   }
 
-  /// Whether the cut of a tip stays behind it, as seen along the bridge, up to the distance of the gap.
-  bool stays_behind(int v, const FacingPoint& point, const std::map<int, double>& way) const {
+  /// Whether the cut of a tip stays behind it, as seen along the bridge, up to a distance.
+  bool stays_behind(int v, const FacingPoint& point, const std::map<int, double>& way, double reach) const {
     const Vector2d along = (point.place - at(v)) / point.gap;
     const auto is_behind = [&](const Vector2d& offset) {
-      return offset.norm() < (1 - nearly) * point.gap ? offset.dot(along) <= nearly * point.gap
-                                                      : -offset.dot(along) >= behind * offset.norm();
+      return offset.norm() < (1 - nearly) * reach ? offset.dot(along) <= nearly * point.gap
+                                                  : -offset.dot(along) >= behind * offset.norm();
     };
     for (const auto& [near, length] : way) {
-      if (length > same_cut * point.gap) continue;
+      if (length > same_cut * reach) continue;
       for (const int e : edges_of_[near]) {
         const Vector2d from = at(near) - at(v), to = at(other_end(e, near)) - at(v);
-        if (from.norm() > point.gap) continue;
-        const Vector2d end = to.norm() <= point.gap ? to : on_circle(from, to, point.gap);
+        if (from.norm() > reach) continue;
+        const Vector2d end = to.norm() <= reach ? to : on_circle(from, to, reach);
         if (!is_behind(end) || (near != v && !is_behind(from))) return false;
       }
     }
@@ -254,13 +303,46 @@ class BridgeFinder {
   const model::PlanarGraph& cuts_;
   const double widest_;
   std::vector<std::vector<int>> edges_of_;
-  std::vector<bool> on_rim_;
+  std::vector<bool> on_rim_, in_slot_;
   GapMap map_;
   std::vector<Candidate> candidates_;
   std::size_t pairs_ = 0;
 };
 
 }  // namespace
+
+double default_bridge(const model::PlanarGraph& cuts, const std::vector<bool>& is_rim) {
+  UnionFind groups(cuts.vertices.size());
+  for (std::size_t e = 0; e < cuts.edges.size(); ++e)
+    if (!is_rim[e]) groups.unite(cuts.edges[e].from, cuts.edges[e].to);
+  std::vector<double> length_of(cuts.vertices.size(), 0), lengths;
+  std::vector<int> loops(cuts.vertices.size(), 0);  // edges less vertices
+  for (std::size_t e = 0; e < cuts.edges.size(); ++e)
+    if (!is_rim[e]) {
+      const int group = groups.find(cuts.edges[e].from);
+      length_of[group] += cuts.along(static_cast<int>(e)).norm();
+      ++loops[group];
+    }
+  for (std::size_t v = 0; v < cuts.vertices.size(); ++v) --loops[groups.find(static_cast<int>(v))];
+  for (std::size_t v = 0; v < length_of.size(); ++v)
+    if (loops[v] >= 0) length_of[v] /= 2;
+  std::copy_if(length_of.begin(), length_of.end(), std::back_inserter(lengths),
+               [](double length) { return length > 0; });
+  if (lengths.empty()) throw InvalidInput("the drawing has an outline, and no cuts. Draw each cut as a line");
+  return bridge_share * lower_median(std::move(lengths));
+}
+
+model::FlatRing bridge_outline(const Vector2d& from, const Vector2d& to, double kerf_mm) {
+  const double half = (to - from).norm() / 2, limit = half - kerf_mm / 2, radius = bridge_radius * half;
+  const Vector2d along = (to - from).normalized(), across = model::turned_by_90(along);
+  model::FlatRing out;
+  for (int k = 0; k < bridge_corners; ++k) {
+    const double angle = 2 * pi * k / bridge_corners;
+    out.push_back((from + to) / 2 + std::clamp(radius * std::cos(angle), -limit, limit) * along +
+                  radius * std::sin(angle) * across);
+  }
+  return out;
+}
 
 std::vector<SheetBridge> find_bridges(const model::PlanarGraph& cuts, double widest,
                                       const std::vector<bool>& is_rim,

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 
 #include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/drawing/svg_elements.hpp"
 #include "targets/drawing/svg_style.hpp"
 
@@ -49,15 +50,24 @@ struct PageSide {
   bool is_in_pixels = false;  ///< px or no unit
 };
 
-PageSide side_of(const pugi::xml_node& svg, const char* name) {
-  PageSide side{svg.attribute(name).value()};
-  if (side.text.empty() || side.text.find('%') != std::string::npos) return side;
-  SvgScanner scan(side.text);
+/// Reads a length as browsers do. Blanks before the unit and capitals do not matter.
+PageSide read_side(const std::string& text) {
+  PageSide side{text};
+  if (text.find_first_of("+.0123456789") != 0 || text.find('%') != std::string::npos) return side;
+  SvgScanner scan(text);
   const double value = scan.number();
-  const std::string_view unit = scan.word();
+  scan.at_end();  // skips blanks
+  std::string unit = lower_case(scan.word());
+  if (unit == "q") unit = "Q";
   const double units = user_units(unit);
   if (!(units > 0) || !(value > 0)) return side;
   return {fmt::format("{:g}{}", value, unit), value * units, !unit.empty(), unit.empty() || unit == "px"};
+}
+
+/// Reads width or height of the page from its style, or else from its attribute.
+PageSide side_of(const pugi::xml_node& svg, const char* name) {
+  const PageSide styled = read_side(SvgStyles(pugi::xml_node()).property(svg, name));
+  return styled.user_units > 0 ? styled : read_side(svg.attribute(name).value());
 }
 
 struct ViewBox {
@@ -114,8 +124,7 @@ SvgPage read_svg_page(const pugi::xml_document& document) {
   const PageSide& side = width.user_units > 0 ? width : height;
   const bool in_pixels = !has_size || side.is_in_pixels || !box;
   page.has_unit = !pixels.program.empty() || (has_size && side.has_unit);
-  const double css_mm =
-      in_pixels && (side.is_in_pixels || !has_size) ? inch_mm / pixels.per_inch : css_pixel_mm;
+  const double css_mm = in_pixels ? inch_mm / pixels.per_inch : css_pixel_mm;
   page.unit_mm = scale.x() * css_mm;
   const char* name = width.user_units > 0 ? "width" : "height";
   if (!page.has_unit)

@@ -212,7 +212,8 @@ void check_one_piece(const PlanarGraph& graph) {
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
     if (pieces.find(v) != pieces.find(0))
       throw InvalidInput("the walls are not connected: there is no path from " + name(graph, 0) + " to " +
-                         name(graph, v));
+                         name(graph, v) +
+                         ". Connect them by walls. If the lines are cuts in a sheet, use `structure.cuts`");
 }
 
 }  // namespace

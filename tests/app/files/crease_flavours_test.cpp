@@ -255,8 +255,10 @@ TEST(CreaseFlavours, WrongLinesAreNamedByTheirPlace) {
   const auto svg = [](const std::string& content) {
     return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'>" + content + "</svg>";
   };
-  expect_refusal(svg("<line x2='1' y2='1' stroke='#808080'/>"), "a.svg",
-                 HasSubstr("do not have the colour #808080"));
+  expect_refusal(svg("<line x2='1' y2='1' stroke='#ff8000'/>"), "a.svg",
+                 HasSubstr("do not have the colour #ff8000"));
+  expect_refusal(svg("<line x2='1' y2='1' stroke='gray'/>"), "a.svg",
+                 HasSubstr("no creases by their colours"));
   expect_refusal(svg("<circle r='3' stroke='red'/>"), "a.svg", HasSubstr("a curve (circle) is not a crease"));
   expect_refusal(svg("<line x2='1' y2='1' stroke='black'/>"), "a.svg",
                  HasSubstr("no creases by their colours"));

@@ -107,6 +107,26 @@ TEST(CutSheet, FindsBridgesBetweenSlotsAndCrossbars) {
   EXPECT_NEAR(bars.joints[0].length(), 2, 1e-9);
 }
 
+/// The ends of slots are straight and wider than the gaps before them. Their bridges are in the middle.
+TEST(CutSheet, FindsBridgesAtBluntEndsOfSlots) {
+  const CutSheet closed = make_cut_sheet(
+      within(40, 20,
+             {{19, 1.25, 21, 1.25}, {21, 1.25, 21, 18.75}, {21, 18.75, 19, 18.75}, {19, 18.75, 19, 1.25}}),
+      {});
+  EXPECT_EQ(closed.pieces.size(), 2U);
+  EXPECT_EQ(closed.loose, 1);
+  ASSERT_EQ(closed.joints.size(), 2U);
+  const CutSheet open_below = make_cut_sheet(
+      within(40, 20, {{19, 0, 19, 18.75}, {19, 18.75, 21, 18.75}, {21, 18.75, 21, 0}}), {.bridge_mm = 5});
+  ASSERT_EQ(open_below.joints.size(), 1U);
+  for (const CutSheet* sheet : {&closed, &open_below})
+    for (const SheetJoint& joint : sheet->joints) {
+      EXPECT_NEAR(joint.length(), 1.25, 1e-9);
+      EXPECT_NEAR(joint.from.x(), 20, 1e-9);
+      EXPECT_NEAR(joint.to.x(), 20, 1e-9);
+    }
+}
+
 TEST(CutSheet, JoinsAFlapAtTheOutline) {
   const CutSheet sheet = make_cut_sheet(
       within(40, 40, {{10, 10, 10, 30}, {10, 30, 30, 30}, {30, 30, 30, 10}}), {.bridge_mm = 25});
@@ -151,6 +171,15 @@ TEST(CutSheet, RefusesSheetsThatDoNotComeApart) {
   EXPECT_THAT(cut_refusal({}), HasSubstr("no lines"));
   EXPECT_THAT(cut_refusal(within(20, 20, {})), HasSubstr("no cuts"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 20, 10}})), HasSubstr("2 loose pieces"));
+  EXPECT_THAT(cut_refusal(within(20, 20, {{5, 5, 9, 5}, {9, 5, 9, 9}, {9, 9, 5, 5}}), {.bridge_mm = 2}),
+              HasSubstr("one piece, and 1 inside closed lines fall out"));
+  // Two small pieces hang together inside a window, and the sheet around it is in one piece.
+  EXPECT_THAT(
+      cut_refusal(
+          within(100, 100,
+                 {{40, 40, 60, 40}, {60, 40, 60, 60}, {60, 60, 40, 60}, {40, 60, 40, 40}, {40, 50, 58, 50}}),
+          {.bridge_mm = 3}),
+      HasSubstr("the sheet stays in one piece"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 10, 10}}), {.bridge_mm = 2}),
               HasSubstr("the next gap is 10 mm"));
   EXPECT_THAT(cut_refusal(within(20, 20, {{0, 10, 19.85, 10}})), HasSubstr("process.kerf_mm"));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
+#include <sstream>
 
 #include "tests/support/bad_input.hpp"
 #include "tests/support/drawings.hpp"
@@ -146,6 +147,106 @@ TEST(ReadDrawing, NamesTheUnitThatItAssumes) {
       examine("panel.svg", "<svg width='100%' viewBox='0 0 96 96'><path d='M0 0H96V96'/></svg>");
   EXPECT_THAT(svg.unit, HasSubstr("1 unit = 0.2646 mm (px of 1/96 inch, assumed because"));
   EXPECT_NEAR(svg.graph.vertices[2].x(), 25.4, 1e-9);
+}
+
+/// A way to write the unit of a drawing whose longer side has `number` in the file and is `mm` long.
+struct WrittenUnit {
+  std::string file;    ///< attributes of an SVG, or the header of a DXF file
+  double number;       ///< in the file
+  double mm;           ///< its length
+  std::string source;  ///< part of the words about the unit
+  DrawingSettings settings = {};
+  std::string before = {};  ///< the svg element
+};
+
+void expect_unit(const WrittenUnit& way, bool is_svg) {
+  std::ostringstream number;
+  number.precision(17);
+  number << way.number;
+  const std::string elements = "<path d='M0 0H" + number.str() + "'/>",
+                    groups = "0\nLINE\n10\n0\n20\n0\n11\n" + number.str() + "\n21\n0\n",
+                    file = is_svg ? way.before + "<svg " + way.file + ">" + elements + "</svg>"
+                                  : dxf_file(groups, way.file);
+  const DrawnWalls walls = examine(is_svg ? "way.svg" : "way.dxf", file, way.settings);
+  ASSERT_FALSE(walls.fault) << way.file << walls.fault->what();
+  EXPECT_NEAR(walls.lines[0].to.x(), way.mm, 1e-6 * way.mm) << way.file;
+  EXPECT_THAT(walls.unit, HasSubstr(way.source)) << way.file;
+}
+
+TEST(ReadDrawing, HasTheSizeOfSvgInEachWayToWriteItsUnit) {
+  const std::string box = " viewBox='0 0 200 120'", old = " inkscape:version='0.91 r13725'",
+                    comment = "<!-- Generator: Adobe Illustrator 24.0, SVG Export Plug-In -->";
+  const double inch = 25.4, px = inch / 96;
+  const WrittenUnit ways[] = {
+      {"width='100mm' height='60mm'" + box, 200, 100, "width 100mm"},
+      {"width='10cm' height='6cm'" + box, 200, 100, "width 10cm"},
+      {"width='4in' height='2.4in'" + box, 200, 101.6, "width 4in"},
+      {"width='288pt' height='172.8pt'" + box, 200, 101.6, "width 288pt"},
+      {"width='24pc' height='14.4pc'" + box, 200, 101.6, "width 24pc"},
+      {"width='400Q' height='240Q'" + box, 200, 100, "width 400Q"},
+      {"width='384px' height='230.4px'" + box, 200, 101.6, "px of 1/96 inch"},
+      {"width='384' height='230.4'" + box, 200, 101.6, "assumed because width and height have no unit"},
+      {"width='100MM' height='60MM'" + box, 200, 100, "width 100mm"},
+      {"width='100 mm' height='60 mm'" + box, 200, 100, "width 100mm"},
+      {"width='100mm'" + box, 200, 100, "width 100mm"},
+      {"height='60mm'" + box, 200, 100, "height 60mm"},
+      {"width='100%' height='60mm'" + box, 200, 100, "height 60mm"},
+      {"width='200mm' height='60mm'" + box, 200, 100, "width 200mm"},
+      {"style='width: 100mm; height: 60mm'" + box, 200, 100, "width 100mm"},
+      {"width='378' height='227' style='width: 100mm; height: 60mm'" + box, 200, 100, "width 100mm"},
+      {"width='100mm' height='60mm' style='width: 100%'" + box, 200, 100, "width 100mm"},
+      {"width='100mm' height='60mm'", 100, 100 * px, "px of 1/96 inch"},
+      {"width='100%' height='100%'" + box, 200, 200 * px, "assumed because width and height are not lengths"},
+      {"width='auto'" + box, 200, 200 * px, "assumed because width and height are not lengths"},
+      {"width='10em'" + box, 200, 200 * px, "assumed because width and height are not lengths"},
+      {box, 200, 200 * px, "assumed because the file has no width and height"},
+      {"", 200, 200 * px, "assumed because the file has no width and height"},
+      {"width='300px'" + box, 200, 300 * inch / 72, "px of 1/72 inch", {}, comment},
+      {"x='0px' y='0px'" + box, 72, inch, "px of 1/72 inch, as in files of Illustrator"},
+      {"width='100mm'" + box, 200, 100, "width 100mm", {}, comment},
+      {"width='744' inkscape:version='1.2.2'", 100, 100 * px, "px of 1/96 inch, as in files of Inkscape"},
+      {"width='744'" + old, 90, inch, "px of 1/90 inch, as in files of Inkscape before 0.92"},
+      {"width='210mm' height='297mm'" + old, 90, inch, "px of 1/90 inch"},
+      {"width='210mm' viewBox='0 0 210 297'" + old, 100, 100, "width 210mm"},
+      {box, 10, 100, "structure.unit", {.unit_mm = 10}},
+      {"width='200in'" + box, 100, 100, "structure.unit", {.unit_mm = 1}},
+      {"width='100mm'" + box, 20, 100, "width 100mm, structure.scale", {.scale = 10}},
+      {box, 2, 101.6, "structure.unit, structure.scale", {.unit_mm = inch, .scale = 2}}};
+  for (const WrittenUnit& way : ways) expect_unit(way, true);
+}
+
+TEST(ReadDrawing, HasTheSizeOfDxfInEachUnit) {
+  const double survey_foot = 1200.0 / 3937 * 1000;
+  const double unit_mm[] = {25.4,
+                            304.8,
+                            1609344,
+                            1,
+                            10,
+                            1000,
+                            1e6,
+                            25.4e-6,
+                            0.0254,
+                            914.4,
+                            1e-7,
+                            1e-6,
+                            1e-3,
+                            100,
+                            1e4,
+                            1e5,
+                            1e12,
+                            1.495978707e14,
+                            9.4607304725808e18,
+                            3.0856775814913673e19,
+                            survey_foot,
+                            survey_foot / 12,
+                            3 * survey_foot,
+                            5280 * survey_foot};
+  for (int k = 0; k < 24; ++k)
+    expect_unit({dxf_unit(k + 1), 100 / unit_mm[k], 100, "$INSUNITS " + std::to_string(k + 1) + ", "}, false);
+  for (const int k : {0, 25}) expect_unit({dxf_unit(k), 100, 100, "mm, assumed because $INSUNITS"}, false);
+  expect_unit({"", 100, 100, "mm, assumed because the file has no $INSUNITS"}, false);
+  expect_unit({"9\n$MEASUREMENT\n70\n0\n", 100, 100, "mm, assumed because"}, false);
+  expect_unit({dxf_unit(6), 100, 100, "structure.unit", {.unit_mm = 1}}, false);
 }
 
 TEST(ReadDrawing, TakesUnitAndScaleOfTheDocument) {

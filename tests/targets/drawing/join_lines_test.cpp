@@ -55,6 +55,15 @@ TEST(JoinLines, OmitsLinesWithoutLength) {
   EXPECT_THAT(refusal([] { join_lines({}); }), HasSubstr("no lines with a length"));
 }
 
+TEST(JoinLines, TakesASmallerDistanceIfLinesAreNearerToEachOther) {
+  const auto bundle = lines_of({{0.00465, 0.00407, 1.00467, 0.00143},
+                                {0.00233, 0.00379, 1.00234, 0.00204},
+                                {0.00561, 0.00044, 1.00352, 0.00369},
+                                {0.00034, 0.00402, 1.00209, 0.00307}});
+  EXPECT_THAT(refusal([&] { join_lines(bundle, 0.002); }), HasSubstr("Change structure.join_mm"));
+  EXPECT_LT(join_lines(bundle).join, 0.002);
+}
+
 TEST(JoinLines, NamesTheLastLineOfEachEdge) {
   const JoinedLines joined = join_lines(lines_of({{0, 0, 20, 0}, {10, 0, 20, 0}, {10, 0, 10, 5}}));
   EXPECT_EQ(joined.line_of, (std::vector<int>{0, 1, 2}));
