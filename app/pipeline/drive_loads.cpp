@@ -178,28 +178,39 @@ double turning_energy(const SheetToFold& sheet, double theta) {
   return sum;
 }
 
-/// Computes the load that holds the fold against turns of hinges alone, N or N mm: the derivative of the energy by the
-/// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
-double holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive) {
+/// Computes the load that holds the state at theta against turns of hinges alone, N or N mm: the derivative of the
+/// energy by the travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
+double holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive, double theta) {
   const auto coordinate = [&](double at) {
     return work_coordinate(drive, sheet.linkage, sheet.exact.at(at));
   };
-  const double more = sheet.theta + part, less = sheet.theta - part;
+  const double more = theta + part, less = theta - part;
   return (turning_energy(sheet, more) - turning_energy(sheet, less)) / (coordinate(more) - coordinate(less));
 }
 
-/// Drive, and the load by which turns of hinges alone resist it.
+constexpr int load_states = 8;  // states from flat to the fold: friction hardly changes between two of them
+
+/// Computes the largest such load from flat to the fold, N or N mm. Plates often need most of it near flat.
+double largest_holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive) {
+  double most = 0;
+  for (int k = 1; k <= load_states; ++k) {
+    const double load = std::abs(holding_load(sheet, drive, k * sheet.theta / load_states));
+    if (std::isfinite(load)) most = std::max(most, load);
+  }
+  return most;
+}
+
+/// Drive, and the force by which turns of hinges alone resist it at the fold.
 struct EstimatedDrive {
   std::string name;
   model::LinkageDrive drive;
-  double load = 0;     ///< N or N mm
   double force_N = 0;  ///< a moment over its lever, one cell edge
 };
 
 EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
                          const model::LinkageDrive& drive) {
-  const double load = std::abs(holding_load(sheet, drive));
-  return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
+  const double load = std::abs(holding_load(sheet, drive, sheet.theta));
+  return {name, drive, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
 /// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist all
@@ -287,7 +298,7 @@ std::optional<Folding> free_folding(const SheetToFold& sheet, const std::stop_to
     const bool is_along = is_large || starts_along_motion(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;
     if (!is_along) continue;
-    Folding found = folding_by(drive.name, drive.drive, drive.load);
+    Folding found = folding_by(drive.name, drive.drive, largest_holding_load(sheet, drive.drive));
     found.turns_freely = true;
     return found;
   }

@@ -94,7 +94,7 @@ struct DriveTrials {
 };
 
 /// Finds how a sheet with its manufactured hinges is folded from flat to its theta. Pins turn freely: their drive is the
-/// design's, else the usual one of the sheet, and the load that of their friction along the exact motion. With soft
+/// design's, else the usual one of the sheet, and the load the largest of their friction along the exact motion. With soft
 /// hinges it is the drive of the design, else the drive of least force, of model::trial_drives, that holds the sheet
 /// there. Drives are followed in equilibrium, those first whose force is least if only turns of hinges resist.
 /// Empty without an exact motion or a theta, for hinges that are left open, for soft hinges with springs or in more than
