@@ -321,6 +321,22 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_EQ(app::describe_effort(*run.folding), "no");
 }
 
+// Large sheets of rubber are not followed. Nobody knows whether a drive folds them, and the verdict does not claim it.
+TEST(FindFolding, OfALargeSheetOfRubberIsUnknown) {
+  const Scratch scratch;
+  const app::Run run =
+      run_of(scratch,
+             "kinetix: 1\n"
+             "target: {kind: curve, points: [[0, 0], [90, 36], [180, 48], [270, 36], [360, 0]]}\n"
+             "structure: {cells: [40, 4]}\nhinge: {kind: block}\n");
+  const app::RunVerdict verdict = verdict_of(run);
+  EXPECT_FALSE(run.folding);
+  EXPECT_EQ(verdict.printable, true);
+  EXPECT_FALSE(verdict.reaches);
+  EXPECT_THAT(headline(verdict), HasSubstr("drive unknown"));
+  EXPECT_EQ(exit_code(verdict), app::done);
+}
+
 // Plates cannot hold the net of a box, and other motions begin at flat. The drive that is named leads to the box, also in
 // the elastic model, which does not know the exact motion.
 TEST(FindFolding, OfANetOfPinsEndsAtItsExactMotion) {
