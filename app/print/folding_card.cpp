@@ -199,7 +199,8 @@ CardPicture draw_fold(const PrintSheet& sheet) {
   const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
-  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, fold),
+  // The size is that of the motion's own frame, as result.json has it: `fold` stands slanted in it.
+  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, sheet.path.back()),
                                 describe_scale(scale.reduction));
   return picture;
 }
