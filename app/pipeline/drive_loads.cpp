@@ -320,7 +320,7 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   if (leaves_hinges_open(design) || !exact || (design.theta == 0 && !design.drive)) return std::nullopt;
   const bool has_springs = !drive_of(design).is_external();
   if (has_springs && !has_pins_alone(design)) return std::nullopt;
-  if (has_springs) return folding_of({}, drive_of(design), "");
+  if (has_springs) return folding_of({}, drive_of(design), design);
   const SheetToFold sheet(design, exact);
   if (has_pins_alone(design)) return free_folding(sheet, stop);
   if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
@@ -340,15 +340,38 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   return Folding{.name = {}, .why_not = e.reason()};
 }
 
+namespace {
+
+/// Returns how the drive of a design folds its elastic hinges. The design is the equilibrium at the end of that drive,
+/// which may be far from the exact motion.
+Folding equilibrium_folding(const Design& design, const model::ExactMotion& exact) try {
+  const model::LinkageDrive drive = drive_of(design);
+  model::EquilibriumPathOptions options = path_of_run(all_vertical(model::Linkage(design.structure)));
+  options.side = design.side;
+  const model::EquilibriumPath path =
+      trace_equilibrium({design.structure, drive, exact}, elasticity_of(design), options);
+  if (path.stop == model::EquilibriumPath::Stop::reached) return folding_of(path, drive, design);
+  return {.name = {}, .why_not = drive_stop_reason(path)};
+} catch (const InvalidInput& e) {
+  return {.name = {}, .why_not = e.reason()};
+}
+
+}  // namespace
+
 std::optional<Folding> find_folding(const Design& design) {
   if (design.structure.assembly() || leaves_hinges_open(design)) return std::nullopt;
-  return find_folding(design, exact_motion(design.structure), {});
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (design.drive && design.hinge.model == HingeSection::Model::elastic)
+    return equilibrium_folding(design, exact);
+  return find_folding(design, exact, {});
 }
 
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
-                   const std::string& name) {
+                   const Design& design) {
   if (!drive.is_external()) return {.name = "springs of shape memory", .is_unaided = true};
-  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path));
+  Folding found = folding_by(describe(as_in_design(drive)), drive, largest_load(path));
+  found.turns_freely = has_pins_alone(design);
+  return found;
 }
 
 DriveTrials try_drives(const Design& design, const RunOptions& options) {

@@ -102,11 +102,11 @@ struct DriveTrials {
 /// @param exact motion of the sheet
 std::optional<Folding> find_folding(const Design& design, const model::ExactMotion& exact,
                                     const std::stop_token& stop);
-/// Finds it for a design whose motion is not known yet.
+/// Finds it for a design whose motion is not known yet. Elastic hinges with a drive have the folding of their equilibrium.
 std::optional<Folding> find_folding(const Design& design);
-/// Returns the folding along an equilibrium path that reached its goal. @param name of its drive
+/// Returns the folding of a design along an equilibrium path that reached its goal.
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
-                   const std::string& name);
+                   const Design& design);
 
 /// Tries the drives of model::trial_drives on a design with elastic hinges. Each folds the sheet from flat until its
 /// mean theta is the design's. After a stop request, returns the trials so far.

@@ -96,6 +96,8 @@ double sense_of_turn(const PrintSheet& sheet, int hinge) {
   return std::copysign(1.0, turn * at.axis.z());
 }
 
+constexpr const char* warm_springs = "Warm it. The springs in its hinges fold it.";
+
 /// Adds to the flat picture what a drive does, and returns it in words.
 struct DriveDrawing {
   const PrintSheet& sheet;
@@ -129,7 +131,7 @@ struct DriveDrawing {
     return fmt::format("Run a string through the hinges on the line, and pull it shorter by {:.3g} mm.",
                        cord.shorten_mm);
   }
-  std::string operator()(const model::ShapeMemory&) const { return "Warm it. Its springs fold it."; }
+  std::string operator()(const model::ShapeMemory&) const { return warm_springs; }
   std::string operator()(const model::BodyPull&) const { return "Pull its parts to their places."; }
 };
 
@@ -236,6 +238,8 @@ FoldingCard make_folding_card(const PrintJob& job) {
                                 start + 1)});
     }
     card.steps.push_back({"Fold", how + describe_force(*folding)});
+  } else if (folding && folding->is_unaided) {
+    card.steps.push_back({"Fold", warm_springs});
   } else if (folding && folding->is_by_turns()) {
     card.steps.push_back({"Fold",
                           "Turn one hinge after the other until the sheet looks as in the second picture. "

@@ -321,6 +321,29 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_EQ(app::describe_effort(*run.folding), "no");
 }
 
+// A panel of bridges is the equilibrium under its drive, which is not near the exact motion. Export follows that drive.
+TEST(FindFolding, OfElasticHingesWithADriveIsThatOfTheSearch) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch,
+                              "kinetix: 1\ntarget: {kind: display, glyph: L}\n"
+                              "structure: {cells: [6, 6]}\nprocess: laser\n");
+  ASSERT_TRUE(run.folding);
+  const auto found = app::find_folding(app::written_design(run));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_possible()) << found->why_not;
+  EXPECT_NEAR(found->load, run.folding->load, 1e-6 * run.folding->load);
+}
+
+// Springs fold a strip of rubber, also in an export of its design.
+TEST(FindFolding, OfSpringsIsUnaided) {
+  const Scratch scratch;
+  const auto found = folding_of_strip(scratch,
+                                      "hinge: {kind: block, material: tango, gap_mm: 3}\n"
+                                      "drive: {kind: shape_memory, angle_deg: 40, k_turn: 5}\n");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(app::describe_effort(*found), "unaided") << found->why_not;
+}
+
 // Large sheets of rubber are not followed. Nobody knows whether a drive folds them, and the verdict does not claim it.
 TEST(FindFolding, OfALargeSheetOfRubberIsUnknown) {
   const Scratch scratch;

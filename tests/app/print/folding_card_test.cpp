@@ -102,6 +102,12 @@ TEST(FoldingCard, TurnsAsTheSheetFolds) {
   }
 }
 
+TEST(FoldingCard, SaysThatSpringsFoldTheSheet) {
+  const FoldingCard card =
+      card_of(panel, app::Folding{.name = "springs of shape memory", .is_unaided = true});
+  EXPECT_THAT(words_of(card), HasSubstr("Fold: Warm it. The springs in its hinges fold it."));
+}
+
 TEST(FoldingCard, SaysThatNoDriveFoldsTheSheet) {
   const FoldingCard card = card_of(panel, app::Folding{.name = {}, .why_not = "it buckles"});
   EXPECT_THAT(words_of(card), HasSubstr("No single push folds it: it buckles."));
