@@ -6,6 +6,7 @@
 #include "app/print/format/sheet_drawing.hpp"
 #include "app/print/print_report.hpp"
 #include "app/result/motion_evidence.hpp"
+#include "model/base/box.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -179,12 +180,15 @@ std::string describe_locking(const Lock& lock) {
   return fmt::format(fmt::runtime(how), lock.bodies[0], lock.bodies[1]);
 }
 
-std::string describe_box(const PrintSheet& sheet, const model::State& state) {
-  Eigen::AlignedBox3d box;
+std::vector<Eigen::Vector3d> placed_points(const PrintSheet& sheet, const model::State& state) {
+  std::vector<Eigen::Vector3d> all;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
-    for (const Eigen::Vector3d& p : placed_body(sheet, state, b).points) box.extend(p);
-  const Eigen::Vector3d sides = box.sizes();
-  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", sides.x(), sides.y(), sides.z());
+    for (const Eigen::Vector3d& p : placed_body(sheet, state, b).points) all.push_back(p);
+  return all;
+}
+
+std::string format_sides(const Eigen::Vector3d& mm) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
 
 /// Returns the rotation to a view from the front, the right and above.
@@ -201,8 +205,8 @@ CardPicture draw_fold(const PrintSheet& sheet) {
   const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
-  // The size is that of the motion's own frame, as result.json has it: `fold` stands slanted in it.
-  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, sheet.path.back()),
+  picture.caption = fmt::format("Folded: {}, seen from a corner, {}",
+                                format_sides(model::smallest_box(placed_points(sheet, fold))),
                                 describe_scale(scale.reduction));
   return picture;
 }
@@ -216,7 +220,8 @@ FoldingCard make_folding_card(const PrintJob& job) {
   CardPicture flat{scale.size()};
   add_parts(flat, scale, drawing.bodies, body_fill);
   add_parts(flat, scale, drawing.soft, "#2e6fb7");
-  flat.caption = fmt::format("Flat: {}, seen from above, {}", describe_box(sheet, sheet.path.front()),
+  flat.caption = fmt::format("Flat: {}, seen from above, {}",
+                             format_sides(model::box_of(placed_points(sheet, sheet.path.front())).sizes()),
                              describe_scale(scale.reduction));
   FoldingCard card{sheet.name, {}, {}};
   card.steps = {{"Clean", describe_cleaning(sheet.process.name, plan_supports(job).is_needed)}};

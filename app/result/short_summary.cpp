@@ -26,15 +26,6 @@ std::string describe_range(const Run& run) {
   return "; collision-free to " + format_degrees(range.to(run.theta).theta);
 }
 
-/// Returns the state that is shown. Without a goal, an equilibrium is rotated as the analytic motion is: the design has
-/// the same size in all runs.
-model::State state_to_measure(const Run& run) {
-  const model::State& shown = run.states.front().poses;
-  if (run.goal || !run.equilibrium || !run.plan.exact) return shown;
-  const model::State exact = run.plan.exact.at(run.theta);
-  return is_finite(exact) ? aligned(shown, exact) : shown;
-}
-
 /// Returns the line of sizes, flat and folded; of imported bodies their number.
 SummaryLine size_line(const Run& run) {
   const model::Lattice& sheet = run.design.structure;
@@ -44,7 +35,7 @@ SummaryLine size_line(const Run& run) {
                                   run.closed_path ? "; " + run.closed_path->description : "")};
   std::string text = "flat " + format_sizes(flat_size(linkage));
   if (!run.states.empty() && is_finite(run.states.front().poses))
-    text += fmt::format(", folded {} at {}", format_sizes(size_of(linkage, state_to_measure(run))),
+    text += fmt::format(", folded {} at {}", format_sizes(folded_size(linkage, run.states.front().poses)),
                         format_degrees(run.theta));
   return {"size", text + describe_range(run)};
 }
