@@ -109,7 +109,6 @@ struct DriveDrawing {
   std::string operator()(const model::Plates& plates) const {
     const Vector2d low = scale({drawing.low.x(), drawing.high.y()}),
                    high = scale({drawing.high.x(), drawing.low.y()}), middle = (low + high) / 2;
-    const std::string percent = fmt::format("{:.3g} %", 100 * plates.compression);
     const bool across = plates.axis == model::Axis::y;
     const Vector2d along = across ? Vector2d(0, 1) : Vector2d(1, 0);
     add_arrow(picture, across ? Vector2d(middle.x(), low.y()) : Vector2d(low.x(), middle.y()), along);
@@ -117,7 +116,15 @@ struct DriveDrawing {
     return fmt::format(
         "Push the two sides at the arrows towards each other, all along them, until they are {} nearer than "
         "when flat.",
-        percent);
+        describe_approach(plates));
+  }
+  /// Describes by how much plates come nearer: in mm, and in percent if they grip a part of the sheet.
+  std::string describe_approach(const model::Plates& plates) const {
+    if (plates.grip) return fmt::format("{:.3g} %", 100 * plates.compression);
+    Eigen::AlignedBox3d rest;
+    for (const model::LinkageBody& body : sheet.linkage.bodies) rest.extend(body.position);
+    const double flat_mm = sheet.linkage.size.edge_mm * rest.sizes()[plates.axis == model::Axis::x ? 0 : 1];
+    return fmt::format("{:.3g} mm", flat_mm * plates.compression);
   }
   std::string operator()(const model::HingeTurn& turn) const {
     add_turn(picture, scale(drawing.hinges[turn.hinge].place), sense_of_turn(sheet, turn.hinge));
@@ -129,8 +136,11 @@ struct DriveDrawing {
     for (const int hinge : cord.through) line.push_back(scale(drawing.hinges[hinge].place));
     picture.shapes.push_back({{line}, "", push, bold_mm});
     if (line.size() > 1) add_head(picture, line.back(), (line.back() - line[line.size() - 2]).normalized());
-    return fmt::format("Run a string through the hinges on the line, and pull it shorter by {:.3g} mm.",
-                       cord.shorten_mm);
+    return fmt::format(
+        "Tie a string to the hinge at one end of the line, lead it past the others, and pull it until it is "
+        "{:.3g} mm "
+        "shorter.",
+        cord.shorten_mm);
   }
   std::string operator()(const model::ShapeMemory&) const { return warm_springs; }
   std::string operator()(const model::BodyPull&) const { return "Pull its parts to their places."; }
@@ -171,6 +181,11 @@ std::string describe_force(const Folding& folding) {
   return fmt::format(
       " It takes {}, {}.{}", load, tool,
       folding.turns_freely ? " This is the friction of its pins, which is an assumption." : "");
+}
+
+/// Makes a sentence of the reason why no drive folds the sheet.
+std::string describe_no_push(const std::string& why) {
+  return why.starts_with("no drive") ? "N" + why.substr(1) + "." : "No single push folds it: " + why + ".";
 }
 
 std::string describe_locking(const Lock& lock) {
@@ -250,7 +265,7 @@ FoldingCard make_folding_card(const PrintJob& job) {
                           "Turn one hinge after the other until the sheet looks as in the second picture. "
                           "The pushes that were tried lead to another fold."});
   } else if (folding && !folding->is_possible()) {
-    card.steps.push_back({"Fold", "No single push folds it: " + folding->why_not + "."});
+    card.steps.push_back({"Fold", describe_no_push(folding->why_not)});
   } else {
     card.steps.push_back({"Fold", "Which push folds it is not known."});
   }

@@ -69,7 +69,8 @@ TEST(FoldingCard, PointsAtTheSidesThatArePushed) {
     const int along = axis == model::Axis::x ? 0 : 1;
     EXPECT_NEAR(all.min()[along], sheet.min()[along] - 4, 0.1) << "heads are 4 mm long, tips at the sheet";
     EXPECT_NEAR(all.max()[along], sheet.max()[along] + 4, 0.1);
-    EXPECT_THAT(words_of(card), HasSubstr("until they are 6 % nearer"));
+    EXPECT_THAT(words_of(card), HasSubstr(axis == model::Axis::x ? "until they are 2.16 mm nearer"
+                                                                 : "until they are 1.44 mm nearer"));
     EXPECT_THAT(words_of(card), HasSubstr("It takes 4.5 N, which a hand gives"));
   }
 }
@@ -112,6 +113,9 @@ TEST(FoldingCard, SaysThatNoDriveFoldsTheSheet) {
   const FoldingCard card = card_of(panel, app::Folding{.name = {}, .why_not = "it buckles"});
   EXPECT_THAT(words_of(card), HasSubstr("No single push folds it: it buckles."));
   EXPECT_THAT(words_of(card), Not(HasSubstr("Start")));
+  const FoldingCard none =
+      card_of(panel, app::Folding{.name = {}, .why_not = "no drive folds it (plates: it leans)"});
+  EXPECT_THAT(words_of(none), HasSubstr("Fold: No drive folds it (plates: it leans)."));
 }
 
 // Pins have friction of 0.1 N mm/rad each. The same force is in print.json, in print.txt, on the card, and in the
