@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/print/fit.hpp"
+#include "app/print/print_report.hpp"
 #include "tests/app/print/exports.hpp"
 
 namespace kinetix::testing {
@@ -116,6 +117,22 @@ TEST(FoldingCard, SaysThatNoDriveFoldsTheSheet) {
   const FoldingCard none =
       card_of(panel, app::Folding{.name = {}, .why_not = "no drive folds it (plates: it leans)"});
   EXPECT_THAT(words_of(none), HasSubstr("Fold: No drive folds it (plates: it leans)."));
+}
+
+// Each print has a line of force, and a warning if nothing is known to fold it.
+TEST(PrintReport, HasAForceOrTheReasonWithoutOne) {
+  const Scratch scratch;
+  const app::Design read = app::read_design(scratch.write("panel.yaml", panel));
+  app::PrintJob job = prepare_fitting_print(read, read.process, {}, false).job;
+  const auto text = [&] { return print_text(job, path_clearance(job.sheet), std::nullopt); };
+  EXPECT_THAT(text(), HasSubstr("force        not known"));
+  EXPECT_THAT(text(), Not(HasSubstr("no drive is known")));
+  job.folding = app::Folding{.name = {}, .why_not = "it buckles"};
+  EXPECT_THAT(text(), HasSubstr("force        it buckles"));
+  EXPECT_THAT(text(), HasSubstr("no drive is known"));
+  job.folding = app::Folding{.name = "one hinge that is turned", .load = 30, .is_force = false};
+  EXPECT_THAT(text(), HasSubstr("by hand with 30 N mm about one hinge\n"));
+  EXPECT_THAT(text(), Not(HasSubstr("no drive is known")));
 }
 
 // Pins have friction of 0.1 N mm/rad each. The same force is in print.json, in print.txt, on the card, and in the
