@@ -319,6 +319,12 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_FALSE(run.folding->is_possible());
   EXPECT_THAT(run.folding->why_not, HasSubstr("no drive folds it"));
   EXPECT_EQ(app::describe_effort(*run.folding), "no");
+  EXPECT_THAT(app::verdict_of(run).reasons(), HasSubstr("with `hinge: {kind: pin}`"));
+  const app::Run advised = run_of(scratch, std::string(rainbow) +
+                                               "structure: {cells: [12, 1], cell_mm: 12}\n"
+                                               "hinge: {kind: pin}\n");
+  EXPECT_TRUE(advised.met());
+  EXPECT_EQ(exit_code(app::verdict_of(advised)), app::done);
 }
 
 // A panel of bridges is the equilibrium under its drive, which is not near the exact motion. Export follows that drive.
