@@ -350,8 +350,11 @@ Folding equilibrium_folding(const Design& design, const model::ExactMotion& exac
   options.side = design.side;
   const model::EquilibriumPath path =
       trace_equilibrium({design.structure, drive, exact}, elasticity_of(design), options);
-  if (path.stop == model::EquilibriumPath::Stop::reached) return folding_of(path, drive, design);
-  return {.name = {}, .why_not = drive_stop_reason(path)};
+  if (path.stop != model::EquilibriumPath::Stop::reached)
+    return {.name = {}, .why_not = drive_stop_reason(path)};
+  Folding found = folding_of(path, drive, design);
+  found.overstrain = describe_overstrain(design, path.state).value_or("");
+  return found;
 } catch (const InvalidInput& e) {
   return {.name = {}, .why_not = e.reason()};
 }

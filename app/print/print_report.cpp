@@ -305,6 +305,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   if (job.folding && describe_effort(*job.folding) == "no")
     out.emplace_back(
         "no drive is known that folds this print by hand or with a clamp: see `force` in print.txt");
+  if (job.folding && !job.folding->overstrain.empty()) out.push_back(job.folding->overstrain);
   model::append(job.sheet.warnings, out);
   if (!job.sheet.no_path_reason.empty())
     out.push_back("the motion to the fold was not checked for collisions: " + job.sheet.no_path_reason);

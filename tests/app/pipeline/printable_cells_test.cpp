@@ -338,6 +338,8 @@ TEST(FindFolding, OfElasticHingesWithADriveIsThatOfTheSearch) {
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->is_possible()) << found->why_not;
   EXPECT_NEAR(found->load, run.folding->load, 1e-6 * run.folding->load);
+  EXPECT_THAT(found->overstrain, HasSubstr("strained by"));
+  EXPECT_THAT(app::verdict_of(run).reasons(), HasSubstr(found->overstrain));
 }
 
 // Springs fold a strip of rubber, also in an export of its design.
