@@ -123,8 +123,7 @@ std::string quoted_folder(const std::string& folder) {
 std::string next_step(const Run& run, const std::string& folder) {
   const RunVerdict verdict = verdict_of(run);
   const bool misses = !verdict.met.value_or(true) || !verdict.reaches.value_or(true);
-  if (run.goal && (misses || !verdict.printable.value_or(true)))
-    return "change the file, run again";
+  if (run.goal && (misses || !verdict.printable.value_or(true))) return "change the file, run again";
   if (!verdict.printable.value_or(false) || verdict.has_errors())
     return "kinetix-opt view " + quoted_folder(folder);
   return fmt::format("kinetix-opt export {} --format {}", quoted_folder(folder),
