@@ -178,28 +178,39 @@ double turning_energy(const SheetToFold& sheet, double theta) {
   return sum;
 }
 
-/// Computes the load that holds the fold against turns of hinges alone, N or N mm: the derivative of the energy by the
-/// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
-double holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive) {
+/// Computes the load that holds the state at theta against turns of hinges alone, N or N mm: the derivative of the
+/// energy by the travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
+double holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive, double theta) {
   const auto coordinate = [&](double at) {
     return work_coordinate(drive, sheet.linkage, sheet.exact.at(at));
   };
-  const double more = sheet.theta + part, less = sheet.theta - part;
+  const double more = theta + part, less = theta - part;
   return (turning_energy(sheet, more) - turning_energy(sheet, less)) / (coordinate(more) - coordinate(less));
 }
 
-/// Drive, and the load by which turns of hinges alone resist it.
+constexpr int load_states = 8;  // states from flat to the fold: friction hardly changes between two of them
+
+/// Computes the largest such load from flat to the fold, N or N mm. Plates often need most of it near flat.
+double largest_holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive) {
+  double most = 0;
+  for (int k = 1; k <= load_states; ++k) {
+    const double load = std::abs(holding_load(sheet, drive, k * sheet.theta / load_states));
+    if (std::isfinite(load)) most = std::max(most, load);
+  }
+  return most;
+}
+
+/// Drive, and the force by which turns of hinges alone resist it at the fold.
 struct EstimatedDrive {
   std::string name;
   model::LinkageDrive drive;
-  double load = 0;     ///< N or N mm
   double force_N = 0;  ///< a moment over its lever, one cell edge
 };
 
 EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
                          const model::LinkageDrive& drive) {
-  const double load = std::abs(holding_load(sheet, drive));
-  return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
+  const double load = std::abs(holding_load(sheet, drive, sheet.theta));
+  return {name, drive, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
 /// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist all
@@ -287,7 +298,7 @@ std::optional<Folding> free_folding(const SheetToFold& sheet, const std::stop_to
     const bool is_along = is_large || starts_along_motion(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;
     if (!is_along) continue;
-    Folding found = folding_by(drive.name, drive.drive, drive.load);
+    Folding found = folding_by(drive.name, drive.drive, largest_holding_load(sheet, drive.drive));
     found.turns_freely = true;
     return found;
   }
@@ -309,7 +320,7 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   if (leaves_hinges_open(design) || !exact || (design.theta == 0 && !design.drive)) return std::nullopt;
   const bool has_springs = !drive_of(design).is_external();
   if (has_springs && !has_pins_alone(design)) return std::nullopt;
-  if (has_springs) return folding_of({}, drive_of(design), "");
+  if (has_springs) return folding_of({}, drive_of(design), design);
   const SheetToFold sheet(design, exact);
   if (has_pins_alone(design)) return free_folding(sheet, stop);
   if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
@@ -329,15 +340,41 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   return Folding{.name = {}, .why_not = e.reason()};
 }
 
+namespace {
+
+/// Returns how the drive of a design folds its elastic hinges. The design is the equilibrium at the end of that drive,
+/// which may be far from the exact motion.
+Folding equilibrium_folding(const Design& design, const model::ExactMotion& exact) try {
+  const model::LinkageDrive drive = drive_of(design);
+  model::EquilibriumPathOptions options = path_of_run(all_vertical(model::Linkage(design.structure)));
+  options.side = design.side;
+  const model::EquilibriumPath path =
+      trace_equilibrium({design.structure, drive, exact}, elasticity_of(design), options);
+  if (path.stop != model::EquilibriumPath::Stop::reached)
+    return {.name = {}, .why_not = drive_stop_reason(path)};
+  Folding found = folding_of(path, drive, design);
+  found.overstrain = describe_overstrain(design, path.state).value_or("");
+  return found;
+} catch (const InvalidInput& e) {
+  return {.name = {}, .why_not = e.reason()};
+}
+
+}  // namespace
+
 std::optional<Folding> find_folding(const Design& design) {
   if (design.structure.assembly() || leaves_hinges_open(design)) return std::nullopt;
-  return find_folding(design, exact_motion(design.structure), {});
+  const model::ExactMotion exact = exact_motion(design.structure);
+  if (design.drive && design.hinge.model == HingeSection::Model::elastic)
+    return equilibrium_folding(design, exact);
+  return find_folding(design, exact, {});
 }
 
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
-                   const std::string& name) {
+                   const Design& design) {
   if (!drive.is_external()) return {.name = "springs of shape memory", .is_unaided = true};
-  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path));
+  Folding found = folding_by(describe(as_in_design(drive)), drive, largest_load(path));
+  found.turns_freely = has_pins_alone(design);
+  return found;
 }
 
 DriveTrials try_drives(const Design& design, const RunOptions& options) {

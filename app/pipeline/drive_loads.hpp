@@ -94,7 +94,7 @@ struct DriveTrials {
 };
 
 /// Finds how a sheet with its manufactured hinges is folded from flat to its theta. Pins turn freely: their drive is the
-/// design's, else the usual one of the sheet, and the load that of their friction along the exact motion. With soft
+/// design's, else the usual one of the sheet, and the load the largest of their friction along the exact motion. With soft
 /// hinges it is the drive of the design, else the drive of least force, of model::trial_drives, that holds the sheet
 /// there. Drives are followed in equilibrium, those first whose force is least if only turns of hinges resist.
 /// Empty without an exact motion or a theta, for hinges that are left open, for soft hinges with springs or in more than
@@ -102,11 +102,11 @@ struct DriveTrials {
 /// @param exact motion of the sheet
 std::optional<Folding> find_folding(const Design& design, const model::ExactMotion& exact,
                                     const std::stop_token& stop);
-/// Finds it for a design whose motion is not known yet.
+/// Finds it for a design whose motion is not known yet. Elastic hinges with a drive have the folding of their equilibrium.
 std::optional<Folding> find_folding(const Design& design);
-/// Returns the folding along an equilibrium path that reached its goal. @param name of its drive
+/// Returns the folding of a design along an equilibrium path that reached its goal.
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
-                   const std::string& name);
+                   const Design& design);
 
 /// Tries the drives of model::trial_drives on a design with elastic hinges. Each folds the sheet from flat until its
 /// mean theta is the design's. After a stop request, returns the trials so far.

@@ -356,7 +356,7 @@ Run run_found(SearchResult found, const Goal* goal, const RunOptions& options) {
   if (simulated) run = with_physics(std::move(run), goal, std::move(*simulated), *task, options);
   run = with_strain(std::move(run));
   if (run.goal && run.equilibrium && run.equilibrium->reached())
-    run.folding = folding_of(run.equilibrium->path, run.equilibrium->drive, "");
+    run.folding = folding_of(run.equilibrium->path, run.equilibrium->drive, run.design);
   run.stopped = options.stop.stop_requested();
   if (goal && !run.compensation && run.plan.model != Model::equilibrium)
     model::append(exact_frames(run), run.states);

@@ -197,6 +197,21 @@ bool can_be_folded(const SearchResult& found) {
   return !is_refused(found) && (!found.folding || describe_effort(*found.folding) != "no");
 }
 
+/// Names pins as a change of the file if they fold the sheet and the soft hinges that it names do not. Empty if they were
+/// not found to.
+std::string advise_pins(const Goal& goal, const SearchResult& given, const RunOptions& options) try {
+  const auto& kind = given.design.hinge.kind;
+  if (is_refused(given) || can_be_folded(given) || !kind || is_pin(*kind) || !goal.change) return "";
+  constexpr const char* pins = "{kind: pin}";
+  const Goal::Changed changed = goal.change({{"hinge", pins}});
+  const Searched other = search_printable(*changed.goal, options);
+  if (!has_pins_alone(other.found.design) || !can_be_folded(other.found) || !meets_goal(other, options))
+    return "";
+  return fmt::format("; with `hinge: {}` (`--hinge pin`) the goal is met and it can be folded", pins);
+} catch (const InvalidInput&) {
+  return "";  // the goal allows no pins
+}
+
 }  // namespace
 
 Searched search_printable(const Goal& goal, const RunOptions& options) {
@@ -215,9 +230,11 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
           ? fmt::format("; with `{}` the goal is met and can be printed", other->resized.keys)
       : is_worthwhile && can_have_pins(given.found)
           ? "; larger cells and walls were searched, and none both prints with pins and meets the goal"
+      : is_worthwhile
+          ? "; larger cells and walls were searched, and none both can be printed and meets the goal"
           : "";
   given.found = complete_folding(std::move(given.found), options);
-  given.found.print->advice = advice;
+  given.found.print->advice = advice.empty() ? advise_pins(goal, given.found, options) : advice;
   return given;
 }
 

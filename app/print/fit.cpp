@@ -206,6 +206,24 @@ std::string describe_alternative(const Order& order, const Attempt& refused, Pri
                      larger ? ": " + *larger : "");
 }
 
+/// Returns the kinds of hinges to try, in order.
+std::vector<model::HingeKind> kinds_of(const Design& design, const model::Process& process) {
+  const auto& kind = design.hinge.kind;
+  return kind ? std::vector{*kind} : process.hinges;
+}
+
+std::vector<model::HingeKind> kinds_of(const Order& order) { return kinds_of(order.design, order.process); }
+
+/// Returns the choice of which cells are suggested: pins if some cells have room for them, since a drive seldom folds a
+/// whole sheet of soft hinges. @param last that was tried
+PrintChoice advised_choice(const Order& order, const PrintChoice& last) {
+  const std::vector<model::HingeKind> kinds = kinds_of(order);
+  if (!leaves_hinges_open(order.design) || kinds.front() == last.kind || !is_pin(kinds.front())) return last;
+  PrintChoice pins = last;
+  pins.kind = kinds.front();
+  return enough_mm(order, pins) ? pins : last;
+}
+
 /// Refuses a print: by InvalidInput for a bed, an option of the command, and by NotPrintable for what the design sets.
 [[noreturn]] void refuse(const Order& order, const Attempt& refused, const PrintChoice& choice) {
   if (refused.is_bed_too_small) throw InvalidInput(refused.reason);
@@ -218,14 +236,6 @@ struct Fitted {
   Attempt attempt;
   std::vector<std::string> refused = {};  ///< why kinds that were tried before do not fit, one sentence each
 };
-
-/// Returns the kinds of hinges to try, in order.
-std::vector<model::HingeKind> kinds_of(const Design& design, const model::Process& process) {
-  const auto& kind = design.hinge.kind;
-  return kind ? std::vector{*kind} : process.hinges;
-}
-
-std::vector<model::HingeKind> kinds_of(const Order& order) { return kinds_of(order.design, order.process); }
 
 std::string plural_kind(model::HingeKind kind) {
   return kind == model::HingeKind::film ? "living hinges" : to_string(kind) + "s";
@@ -302,7 +312,7 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
   Fitted found = fitted(order, choice, ClearanceSearch::least);
   if (!found.attempt.print) {
     found.attempt.reason = describe_refused_kinds(order) + found.attempt.reason;
-    refuse(order, found.attempt, found.choice);
+    refuse(order, found.attempt, advised_choice(order, found.choice));
   }
   for (const std::string& why : found.refused)
     found.attempt.print->job.sheet.warnings.push_back(

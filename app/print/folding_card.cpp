@@ -6,6 +6,7 @@
 #include "app/print/format/sheet_drawing.hpp"
 #include "app/print/print_report.hpp"
 #include "app/result/motion_evidence.hpp"
+#include "model/base/box.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -96,6 +97,8 @@ double sense_of_turn(const PrintSheet& sheet, int hinge) {
   return std::copysign(1.0, turn * at.axis.z());
 }
 
+constexpr const char* warm_springs = "Warm it. The springs in its hinges fold it.";
+
 /// Adds to the flat picture what a drive does, and returns it in words.
 struct DriveDrawing {
   const PrintSheet& sheet;
@@ -106,7 +109,6 @@ struct DriveDrawing {
   std::string operator()(const model::Plates& plates) const {
     const Vector2d low = scale({drawing.low.x(), drawing.high.y()}),
                    high = scale({drawing.high.x(), drawing.low.y()}), middle = (low + high) / 2;
-    const std::string percent = fmt::format("{:.3g} %", 100 * plates.compression);
     const bool across = plates.axis == model::Axis::y;
     const Vector2d along = across ? Vector2d(0, 1) : Vector2d(1, 0);
     add_arrow(picture, across ? Vector2d(middle.x(), low.y()) : Vector2d(low.x(), middle.y()), along);
@@ -114,7 +116,15 @@ struct DriveDrawing {
     return fmt::format(
         "Push the two sides at the arrows towards each other, all along them, until they are {} nearer than "
         "when flat.",
-        percent);
+        describe_approach(plates));
+  }
+  /// Describes by how much plates come nearer: in mm, and in percent if they grip a part of the sheet.
+  std::string describe_approach(const model::Plates& plates) const {
+    if (plates.grip) return fmt::format("{:.3g} %", 100 * plates.compression);
+    Eigen::AlignedBox3d rest;
+    for (const model::LinkageBody& body : sheet.linkage.bodies) rest.extend(body.position);
+    const double flat_mm = sheet.linkage.size.edge_mm * rest.sizes()[plates.axis == model::Axis::x ? 0 : 1];
+    return fmt::format("{:.3g} mm", flat_mm * plates.compression);
   }
   std::string operator()(const model::HingeTurn& turn) const {
     add_turn(picture, scale(drawing.hinges[turn.hinge].place), sense_of_turn(sheet, turn.hinge));
@@ -126,10 +136,13 @@ struct DriveDrawing {
     for (const int hinge : cord.through) line.push_back(scale(drawing.hinges[hinge].place));
     picture.shapes.push_back({{line}, "", push, bold_mm});
     if (line.size() > 1) add_head(picture, line.back(), (line.back() - line[line.size() - 2]).normalized());
-    return fmt::format("Run a string through the hinges on the line, and pull it shorter by {:.3g} mm.",
-                       cord.shorten_mm);
+    return fmt::format(
+        "Tie a string to the hinge at one end of the line, lead it past the others, and pull it until it is "
+        "{:.3g} mm "
+        "shorter.",
+        cord.shorten_mm);
   }
-  std::string operator()(const model::ShapeMemory&) const { return "Warm it. Its springs fold it."; }
+  std::string operator()(const model::ShapeMemory&) const { return warm_springs; }
   std::string operator()(const model::BodyPull&) const { return "Pull its parts to their places."; }
 };
 
@@ -170,6 +183,11 @@ std::string describe_force(const Folding& folding) {
       folding.turns_freely ? " This is the friction of its pins, which is an assumption." : "");
 }
 
+/// Makes a sentence of the reason why no drive folds the sheet.
+std::string describe_no_push(const std::string& why) {
+  return why.starts_with("no drive") ? "N" + why.substr(1) + "." : "No single push folds it: " + why + ".";
+}
+
 std::string describe_locking(const Lock& lock) {
   const char* const how = lock.kind == "clip"
                               ? "Hold the fold, and put the clip over the posts of bodies {} and {}."
@@ -177,12 +195,15 @@ std::string describe_locking(const Lock& lock) {
   return fmt::format(fmt::runtime(how), lock.bodies[0], lock.bodies[1]);
 }
 
-std::string describe_box(const PrintSheet& sheet, const model::State& state) {
-  Eigen::AlignedBox3d box;
+std::vector<Eigen::Vector3d> placed_points(const PrintSheet& sheet, const model::State& state) {
+  std::vector<Eigen::Vector3d> all;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
-    for (const Eigen::Vector3d& p : placed_body(sheet, state, b).points) box.extend(p);
-  const Eigen::Vector3d sides = box.sizes();
-  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", sides.x(), sides.y(), sides.z());
+    for (const Eigen::Vector3d& p : placed_body(sheet, state, b).points) all.push_back(p);
+  return all;
+}
+
+std::string format_sides(const Eigen::Vector3d& mm) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
 
 /// Returns the rotation to a view from the front, the right and above.
@@ -199,7 +220,8 @@ CardPicture draw_fold(const PrintSheet& sheet) {
   const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
-  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, fold),
+  picture.caption = fmt::format("Folded: {}, seen from a corner, {}",
+                                format_sides(model::smallest_box(placed_points(sheet, fold))),
                                 describe_scale(scale.reduction));
   return picture;
 }
@@ -213,7 +235,8 @@ FoldingCard make_folding_card(const PrintJob& job) {
   CardPicture flat{scale.size()};
   add_parts(flat, scale, drawing.bodies, body_fill);
   add_parts(flat, scale, drawing.soft, "#2e6fb7");
-  flat.caption = fmt::format("Flat: {}, seen from above, {}", describe_box(sheet, sheet.path.front()),
+  flat.caption = fmt::format("Flat: {}, seen from above, {}",
+                             format_sides(model::box_of(placed_points(sheet, sheet.path.front())).sizes()),
                              describe_scale(scale.reduction));
   FoldingCard card{sheet.name, {}, {}};
   card.steps = {{"Clean", describe_cleaning(sheet.process.name, plan_supports(job).is_needed)}};
@@ -235,12 +258,14 @@ FoldingCard make_folding_card(const PrintJob& job) {
                                 start + 1)});
     }
     card.steps.push_back({"Fold", how + describe_force(*folding)});
+  } else if (folding && folding->is_unaided) {
+    card.steps.push_back({"Fold", warm_springs});
   } else if (folding && folding->is_by_turns()) {
     card.steps.push_back({"Fold",
                           "Turn one hinge after the other until the sheet looks as in the second picture. "
                           "The pushes that were tried lead to another fold."});
   } else if (folding && !folding->is_possible()) {
-    card.steps.push_back({"Fold", "No single push folds it: " + folding->why_not + "."});
+    card.steps.push_back({"Fold", describe_no_push(folding->why_not)});
   } else {
     card.steps.push_back({"Fold", "Which push folds it is not known."});
   }

@@ -7,6 +7,7 @@
 #include "app/report/report.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/state_json.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/box.hpp"
 #include "targets/document/text_file.hpp"
 
@@ -300,7 +301,12 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 }  // namespace
 
 std::vector<std::string> print_warnings(const PrintJob& job) {
-  std::vector<std::string> out = job.sheet.warnings;
+  std::vector<std::string> out;
+  if (job.folding && describe_effort(*job.folding) == "no")
+    out.emplace_back(
+        "no drive is known that folds this print by hand or with a clamp: see `force` in print.txt");
+  if (job.folding && !job.folding->overstrain.empty()) out.push_back(job.folding->overstrain);
+  model::append(job.sheet.warnings, out);
   if (!job.sheet.no_path_reason.empty())
     out.push_back("the motion to the fold was not checked for collisions: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
@@ -321,9 +327,9 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   if (const auto film = thin_film_warning(job.sheet)) out.push_back(*film);
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
-  if (steep > steep_deg)
-    out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support in FDM",
-                              steep, steep_deg));
+  if (job.sheet.process.filament && steep > steep_deg)
+    out.push_back(fmt::format("hinges lean {:.1f} degrees from upright: more than {:g} need support", steep,
+                              steep_deg));
   return out;
 }
 
@@ -410,7 +416,13 @@ std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& c
         {"motion",
          fmt::format("solids stay {:.3f} mm apart from flat to {:.1f} degrees, least at {:.1f} degrees",
                      nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta))});
-  if (job.folding) lines.push_back({"force", describe_folding(*job.folding)});
+  if (job.folding)
+    lines.push_back({"force", describe_folding(*job.folding)});
+  else if (!sheet.is_imported() && sheet.path.size() > 1)
+    lines.push_back(
+        {"force",
+         "not known: kinetix does not compute it for large sheets of soft hinges, and for cells of "
+         "another size than the design's"});
   return lines;
 }
 

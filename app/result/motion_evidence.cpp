@@ -49,12 +49,14 @@ std::string describe_folding(const Folding& folding) {
   if (folding.is_by_turns())
     return "by hand, " + folding.name +
            ": its pins turn freely, but the drives that were tried lead to another fold";
-  const std::string load = folding.is_force ? fmt::format("{:.3g} N", folding.load)
-                                            : fmt::format("{:.3g} N mm about one hinge", folding.load);
+  const std::string load = fmt::format("{:.3g} {}", folding.load, folding.is_force ? "N" : "N mm");
+  // Hinges that the design drives are named on the card, others here.
+  const std::string where =
+      folding.is_force || folding.name.starts_with("hinge ") ? ": " + folding.name : " about one hinge";
   const std::string effort = describe_effort(folding);
-  if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives: " + folding.name;
-  return fmt::format("{} with {}{}: {}", effort, load,
-                     folding.turns_freely ? " of friction, which is assumed" : "", folding.name);
+  if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives" + where;
+  return fmt::format("{} with {}{}{}", effort, load,
+                     folding.turns_freely ? " of friction, which is assumed" : "", where);
 }
 
 namespace {

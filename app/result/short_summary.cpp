@@ -35,7 +35,7 @@ SummaryLine size_line(const Run& run) {
                                   run.closed_path ? "; " + run.closed_path->description : "")};
   std::string text = "flat " + format_sizes(flat_size(linkage));
   if (!run.states.empty() && is_finite(run.states.front().poses))
-    text += fmt::format(", folded {} at {}", format_sizes(size_of(linkage, run.states.front().poses)),
+    text += fmt::format(", folded {} at {}", format_sizes(folded_size(linkage, run.states.front().poses)),
                         format_degrees(run.theta));
   return {"size", text + describe_range(run)};
 }
@@ -123,8 +123,7 @@ std::string quoted_folder(const std::string& folder) {
 std::string next_step(const Run& run, const std::string& folder) {
   const RunVerdict verdict = verdict_of(run);
   const bool misses = !verdict.met.value_or(true) || !verdict.reaches.value_or(true);
-  if (run.goal && (misses || !verdict.printable.value_or(true)))
-    return "change the file as advised, run again";
+  if (run.goal && (misses || !verdict.printable.value_or(true))) return "change the file, run again";
   if (!verdict.printable.value_or(false) || verdict.has_errors())
     return "kinetix-opt view " + quoted_folder(folder);
   return fmt::format("kinetix-opt export {} --format {}", quoted_folder(folder),

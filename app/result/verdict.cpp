@@ -71,7 +71,13 @@ Reasons print_reasons(const Run& run) {
   return run.print->is_accepted ? Reasons{} : Reasons{run.print->why + run.print->advice};
 }
 
-/// Returns the reasons why the drive does not reach the reported state; nullopt if the run has no model of the drive.
+/// Checks whether no drive is known to fold a sheet that can be printed, nor that none does.
+bool has_unknown_drive(const Run& run) {
+  return run.goal && run.print && run.print->is_accepted && !run.folding && !run.equilibrium;
+}
+
+/// Returns the reasons why the drive does not reach the reported state; nullopt if the run has no model of the drive, or
+/// does not know it.
 std::optional<Reasons> drive_reasons(const Run& run) {
   Reasons why;
   if (run.compensation && !run.equilibrium)
@@ -93,6 +99,7 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   if (!run.states.empty())
     if (auto strained = describe_overstrain(run.design, run.states.front().poses))
       why.push_back(std::move(*strained));
+  if (why.empty() && has_unknown_drive(run)) return std::nullopt;
   return why;
 }
 
@@ -114,8 +121,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, shown_measure(run).warnings);
-  if (run.print && run.print->is_accepted && !run.folding && !run.equilibrium)
-    verdict.warn("the drive that folds it is unknown" + advice_of(run));
+  if (has_unknown_drive(run)) verdict.warn("the drive that folds it is unknown" + advice_of(run));
   if (run.print && !run.print->warning.empty()) verdict.warn(run.print->warning);
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is unknown: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
@@ -222,6 +228,7 @@ std::string headline(const RunVerdict& verdict) {
   add(&RunVerdict::printable, "printable with " + with + " hinges", "not printable");
   if (!verdict.met || !verdict.reaches.value_or(true))
     add(&RunVerdict::reaches, "reached by its drive", "not reached by its drive");
+  if (verdict.met && verdict.printable.value_or(false) && !verdict.reaches) parts.push_back("drive unknown");
   add(&RunVerdict::agrees, "simulation agrees", "simulation disagrees");
   return parts.empty() ? "computed" : fmt::format("{}", fmt::join(parts, ", "));
 }

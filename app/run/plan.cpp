@@ -133,22 +133,40 @@ void add_settings(const GoalSettings& settings, Forecast& forecast) {
 
 Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkage, rest_state(linkage)); }
 
-Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
-  Eigen::AlignedBox3d all;
-  // Plates are handled one by one: the half walls of a million cells take half as much memory as their linkage.
+namespace {
+
+/// Calls `see` with the plate of each half wall in a state, one by one: the half walls of a million cells take half as
+/// much memory as their linkage.
+template <class See>
+void see_walls(const model::Linkage& linkage, const model::State& state, See see) {
   model::Linkage one;
   one.size = linkage.size;
   for (const model::Plate& plate : linkage.plates) {
     one.plates = {plate};
     const model::HalfWall wall = half_walls(one).front();
-    const OrientedBox box = placed(wall, state[wall.body]);
-    for (int k = 0; k < 3; ++k)
-      for (const double side : {1.0, -1.0}) {
-        const Eigen::Vector3d outward = side * Eigen::Vector3d::Unit(k);
-        all.extend(Eigen::Vector3d(box.center + support(box, outward) * outward));
-      }
+    see(placed(wall, state[wall.body]));
   }
+}
+
+}  // namespace
+
+Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
+  Eigen::AlignedBox3d all;
+  see_walls(linkage, state, [&](const OrientedBox& box) {
+    for (const Eigen::Vector3d& corner : corners_of(box)) all.extend(corner);
+  });
   return all.sizes();
+}
+
+Eigen::Vector3d folded_size(const model::Linkage& linkage, const model::State& state) {
+  constexpr std::size_t most_plates =
+      100'000;  // more take longer to turn than all else that the summary needs
+  if (linkage.plates.size() > most_plates) return size_of(linkage, state);
+  std::vector<Eigen::Vector3d> points;
+  see_walls(linkage, state, [&](const OrientedBox& box) {
+    for (const Eigen::Vector3d& corner : corners_of(box)) points.push_back(corner);
+  });
+  return model::smallest_box(points);
 }
 
 double physics_seconds(const model::Lattice& sheet) {

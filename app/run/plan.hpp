@@ -58,6 +58,10 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage);
 /// Returns the edges of the box around all half walls in a state, along the axes of its frame, mm.
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state);
 
+/// Returns the edges of a small box around all half walls in a state, longest first, mm. It turns with the sheet, so runs
+/// whose frames differ report one size.
+Eigen::Vector3d folded_size(const model::Linkage& linkage, const model::State& state);
+
 /// Estimates the time of a simulation, s, on one core of 2020, within a factor of two. Measured on sheets of 80 to
 /// 900 bodies, whose cost grows with loops of hinges, one per cell. Also measured on blocks of 384 to 5000 bodies,
 /// whose matrix factors fill.

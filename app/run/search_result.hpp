@@ -62,6 +62,7 @@ struct Folding {
   bool is_unaided = false;                 ///< whether springs in the hinges fold it
   bool turns_freely = false;               ///< whether all hinges are pins: `load` is that of their friction
   std::string why_not = {};                ///< why no drive folds it, one sentence
+  std::string overstrain = {};  ///< names a hinge strained beyond the limit of its material in that fold
 
   bool is_possible() const { return why_not.empty(); }
   /// Returns true if pins are turned one after the other, since each push takes the sheet to another fold.

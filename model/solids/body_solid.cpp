@@ -104,9 +104,10 @@ void check_room(const Linkage& linkage, int body, const ArmSolid& arm) {
   const double room = nearest_end(arm) - arm.start, least = min_plate * arm.size.thickness_mm;
   if (room >= least) return;
   std::ostringstream message;
-  message << "the hinge of wall " << linkage.wall_name(arm.hinge) << " overlaps the junction at vertex "
-          << linkage.vertex_name(body) << ": its plate would have to be " << std::setprecision(3)
-          << least - room << " mm longer (move t towards 0.5, or take a larger cell or a smaller hinge)";
+  message
+      << "the hinge of wall " << linkage.wall_name(arm.hinge) << " overlaps the junction at vertex "
+      << linkage.vertex_name(body) << ": its plate would have to be " << std::setprecision(3) << least - room
+      << " mm longer (move the hinge towards the middle of its wall, or use larger cells or smaller hinges)";
   throw InvalidInput(message.str());
 }
 

@@ -59,7 +59,8 @@ class SurfaceRibs final : public RibsOutcome {
     if (cover.share >= file_.covered_tolerance) return {};
     return {fmt::format(
         "model: {:.0f} % of the surface's area lies within a cell edge of a rib; at least {:.0f} % is "
-        "required (`tolerance.covered_share`). Give more `target.ribs`",
+        "required (`tolerance.covered_share`). More ribs are narrower: try more and fewer `target.ribs`, or "
+        "reduce that tolerance",
         100 * cover.share, 100 * file_.covered_tolerance)};
   }
 

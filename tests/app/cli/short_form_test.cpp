@@ -153,7 +153,7 @@ TEST(ShortOutput, NamesProblemsByTheirSeverity) {
   EXPECT_EQ(missed.code, 3);
   EXPECT_THAT(missed.out, StartsWith("bow: goal missed"));
   EXPECT_THAT(missed.out, HasSubstr("\n  error:   "));
-  EXPECT_THAT(missed.out, HasSubstr("Next: change the file as advised, run again"));
+  EXPECT_THAT(missed.out, HasSubstr("Next: change the file, run again"));
   expect_short(missed.out, "missed");
 }
 

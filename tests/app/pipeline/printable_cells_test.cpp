@@ -267,6 +267,21 @@ TEST(FindFolding, OfPinsIsTheFrictionOfAll) {
   EXPECT_FALSE(folding_of_strip(scratch, "")) << "hinges left open have no force";
 }
 
+// Plates on leaning hinges need their largest force near flat, 14 % more than at the fold.
+TEST(FindFolding, OfPinsIsTheLargestDuringTheMotion) {
+  const Scratch scratch;
+  const auto free = app::find_folding(app::read_design(scratch.write(
+      "design.yaml",
+      "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
+      "design:\n  theta_deg: 20\n  hinges: [{wall: [[0, 0], [1, 0]], tilt_deg: -50}, "
+      "{wall: [[0, 1], [1, 1]], tilt_deg: 50}, {wall: [[1, 0], [2, 0]], tilt_deg: -50}, "
+      "{wall: [[1, 1], [2, 1]], tilt_deg: 50}]\n"
+      "hinge: {model: rotary, kind: pin, diameter_mm: 3, clearance_mm: 0.3}\n")));
+  ASSERT_TRUE(free);
+  EXPECT_NEAR(free->load, 0.2535, 0.01 * 0.2535);
+  EXPECT_NEAR(simulated_load(scratch, *free), free->load, 0.01 * free->load);
+}
+
 // All 40 pins of a plane panel turn by 2 theta. Plates 80 mm apart close in to cos(theta) of that.
 TEST(FindFolding, OfPinsInAPlaneIsTheClosedForm) {
   const Scratch scratch;
@@ -304,6 +319,53 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_FALSE(run.folding->is_possible());
   EXPECT_THAT(run.folding->why_not, HasSubstr("no drive folds it"));
   EXPECT_EQ(app::describe_effort(*run.folding), "no");
+  EXPECT_THAT(app::verdict_of(run).reasons(), HasSubstr("with `hinge: {kind: pin}`"));
+  const app::Run advised = run_of(scratch, std::string(rainbow) +
+                                               "structure: {cells: [12, 1], cell_mm: 12}\n"
+                                               "hinge: {kind: pin}\n");
+  EXPECT_TRUE(advised.met());
+  EXPECT_EQ(exit_code(app::verdict_of(advised)), app::done);
+}
+
+// A panel of bridges is the equilibrium under its drive, which is not near the exact motion. Export follows that drive.
+TEST(FindFolding, OfElasticHingesWithADriveIsThatOfTheSearch) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch,
+                              "kinetix: 1\ntarget: {kind: display, glyph: L}\n"
+                              "structure: {cells: [6, 6]}\nprocess: laser\n");
+  ASSERT_TRUE(run.folding);
+  const auto found = app::find_folding(app::written_design(run));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_possible()) << found->why_not;
+  EXPECT_NEAR(found->load, run.folding->load, 1e-6 * run.folding->load);
+  EXPECT_THAT(found->overstrain, HasSubstr("strained by"));
+  EXPECT_THAT(app::verdict_of(run).reasons(), HasSubstr(found->overstrain));
+}
+
+// Springs fold a strip of rubber, also in an export of its design.
+TEST(FindFolding, OfSpringsIsUnaided) {
+  const Scratch scratch;
+  const auto found = folding_of_strip(scratch,
+                                      "hinge: {kind: block, material: tango, gap_mm: 3}\n"
+                                      "drive: {kind: shape_memory, angle_deg: 40, k_turn: 5}\n");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(app::describe_effort(*found), "unaided") << found->why_not;
+}
+
+// Large sheets of rubber are not followed. Nobody knows whether a drive folds them, and the verdict does not claim it.
+TEST(FindFolding, OfALargeSheetOfRubberIsUnknown) {
+  const Scratch scratch;
+  const app::Run run =
+      run_of(scratch,
+             "kinetix: 1\n"
+             "target: {kind: curve, points: [[0, 0], [90, 36], [180, 48], [270, 36], [360, 0]]}\n"
+             "structure: {cells: [40, 4]}\nhinge: {kind: block}\n");
+  const app::RunVerdict verdict = verdict_of(run);
+  EXPECT_FALSE(run.folding);
+  EXPECT_EQ(verdict.printable, true);
+  EXPECT_FALSE(verdict.reaches);
+  EXPECT_THAT(headline(verdict), HasSubstr("drive unknown"));
+  EXPECT_EQ(exit_code(verdict), app::done);
 }
 
 // Plates cannot hold the net of a box, and other motions begin at flat. The drive that is named leads to the box, also in

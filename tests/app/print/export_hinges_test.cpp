@@ -83,6 +83,20 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
             not_printable);
 }
 
+// Walls are too thin for both kinds. The cells that are suggested have room for pins, which fold.
+TEST(Export, SuggestsCellsForPinsBeforeThoseForBlocks) {
+  const std::string design =
+      "kinetix: 1\nstructure: {cells: [3, 2], cell_mm: 8, wall_mm: {thickness: 0.6, height: 6}}\n"
+      "design: {theta_deg: 20}\n";
+  const Scratch scratch;
+  const Outcome refused = exported(scratch, design, "--format stl --process fdm");
+  EXPECT_EQ(refused.code, not_printable);
+  std::smatch edge;
+  ASSERT_TRUE(std::regex_search(refused.err, edge, std::regex(R"(give --cell-mm ([0-9.]+))"))) << refused.err;
+  ASSERT_EQ(exported(scratch, design, "--format stl --process fdm --cell-mm " + edge.str(1)).code, 0);
+  EXPECT_EQ(print_json_of(scratch)["hinge"], "pin");
+}
+
 TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("cell_mm: 12"), 11, "cell_mm: 8");

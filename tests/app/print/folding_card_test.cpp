@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/print/fit.hpp"
+#include "app/print/print_report.hpp"
 #include "tests/app/print/exports.hpp"
 
 namespace kinetix::testing {
@@ -69,7 +70,8 @@ TEST(FoldingCard, PointsAtTheSidesThatArePushed) {
     const int along = axis == model::Axis::x ? 0 : 1;
     EXPECT_NEAR(all.min()[along], sheet.min()[along] - 4, 0.1) << "heads are 4 mm long, tips at the sheet";
     EXPECT_NEAR(all.max()[along], sheet.max()[along] + 4, 0.1);
-    EXPECT_THAT(words_of(card), HasSubstr("until they are 6 % nearer"));
+    EXPECT_THAT(words_of(card), HasSubstr(axis == model::Axis::x ? "until they are 2.16 mm nearer"
+                                                                 : "until they are 1.44 mm nearer"));
     EXPECT_THAT(words_of(card), HasSubstr("It takes 4.5 N, which a hand gives"));
   }
 }
@@ -102,10 +104,35 @@ TEST(FoldingCard, TurnsAsTheSheetFolds) {
   }
 }
 
+TEST(FoldingCard, SaysThatSpringsFoldTheSheet) {
+  const FoldingCard card =
+      card_of(panel, app::Folding{.name = "springs of shape memory", .is_unaided = true});
+  EXPECT_THAT(words_of(card), HasSubstr("Fold: Warm it. The springs in its hinges fold it."));
+}
+
 TEST(FoldingCard, SaysThatNoDriveFoldsTheSheet) {
   const FoldingCard card = card_of(panel, app::Folding{.name = {}, .why_not = "it buckles"});
   EXPECT_THAT(words_of(card), HasSubstr("No single push folds it: it buckles."));
   EXPECT_THAT(words_of(card), Not(HasSubstr("Start")));
+  const FoldingCard none =
+      card_of(panel, app::Folding{.name = {}, .why_not = "no drive folds it (plates: it leans)"});
+  EXPECT_THAT(words_of(none), HasSubstr("Fold: No drive folds it (plates: it leans)."));
+}
+
+// Each print has a line of force, and a warning if nothing is known to fold it.
+TEST(PrintReport, HasAForceOrTheReasonWithoutOne) {
+  const Scratch scratch;
+  const app::Design read = app::read_design(scratch.write("panel.yaml", panel));
+  app::PrintJob job = prepare_fitting_print(read, read.process, {}, false).job;
+  const auto text = [&] { return print_text(job, path_clearance(job.sheet), std::nullopt); };
+  EXPECT_THAT(text(), HasSubstr("force        not known"));
+  EXPECT_THAT(text(), Not(HasSubstr("no drive is known")));
+  job.folding = app::Folding{.name = {}, .why_not = "it buckles"};
+  EXPECT_THAT(text(), HasSubstr("force        it buckles"));
+  EXPECT_THAT(text(), HasSubstr("no drive is known"));
+  job.folding = app::Folding{.name = "one hinge that is turned", .load = 30, .is_force = false};
+  EXPECT_THAT(text(), HasSubstr("by hand with 30 N mm about one hinge\n"));
+  EXPECT_THAT(text(), Not(HasSubstr("no drive is known")));
 }
 
 // Pins have friction of 0.1 N mm/rad each. The same force is in print.json, in print.txt, on the card, and in the
