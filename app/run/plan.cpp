@@ -1,6 +1,7 @@
 #include "app/run/plan.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include "model/base/algorithms.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
@@ -135,6 +136,18 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkag
 
 namespace {
 
+/// Returns the eight corners of a half wall.
+std::array<Eigen::Vector3d, 8> corners_of_wall(const OrientedBox& box) {
+  std::array<Eigen::Vector3d, 8> out;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d side((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+    Eigen::Vector3d at = side.cwiseProduct(box.half);
+    if (side.x() > 0) at.x() += box.slant * at.y();
+    out[k] = box.center + box.axes * at;
+  }
+  return out;
+}
+
 /// Calls `see` with the plate of each half wall in a state, one by one: the half walls of a million cells take half as
 /// much memory as their linkage.
 template <class See>
@@ -148,14 +161,75 @@ void see_walls(const model::Linkage& linkage, const model::State& state, See see
   }
 }
 
+Eigen::Vector3d extents(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& axes) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(axes.transpose() * p));
+  return box.sizes();
+}
+
+/// Returns the points that are extreme along one of many directions, evenly spread by the golden angle.
+std::vector<Eigen::Vector3d> extreme_points(const std::vector<Eigen::Vector3d>& points) {
+  constexpr int directions = 100;
+  constexpr double golden_angle = 2.399963229728653;  // rad
+  std::vector<Eigen::Vector3d> out;
+  for (int k = 0; k < directions; ++k) {
+    const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z), angle = golden_angle * k;
+    const Eigen::Vector3d along(r * std::cos(angle), r * std::sin(angle), z);
+    out.push_back(*std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      return a.dot(along) < b.dot(along);
+    }));
+  }
+  return out;
+}
+
+/// Turns a box about each of its edges until no turn makes it smaller.
+Eigen::Matrix3d turned_smallest(const std::vector<Eigen::Vector3d>& points, Eigen::Matrix3d axes) {
+  constexpr int rounds = 8, steps = 45;  // a step is 1 degree, then less
+  const auto volume = [&](const Eigen::Matrix3d& at) { return extents(points, at).prod(); };
+  double least = volume(axes);
+  for (int round = 0; round < rounds; ++round) {
+    const double before = least, step = pi / 180 / (round < 2 ? 1 : 8 << round);
+    for (int edge = 0; edge < 3; ++edge) {
+      const Eigen::Matrix3d start = axes;
+      for (int k = -steps; k <= steps; ++k) {
+        const Eigen::Matrix3d turned =
+            start * Eigen::AngleAxisd(k * step, Eigen::Vector3d::Unit(edge)).toRotationMatrix();
+        if (const double v = volume(turned); v < least) {
+          least = v;
+          axes = turned;
+        }
+      }
+    }
+    if (round >= 2 && least == before) break;
+  }
+  return axes;
+}
+
 }  // namespace
 
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
   Eigen::AlignedBox3d all;
   see_walls(linkage, state, [&](const OrientedBox& box) {
-    for (const Eigen::Vector3d& corner : corners_of(box)) all.extend(corner);
+    for (const Eigen::Vector3d& corner : corners_of_wall(box)) all.extend(corner);
   });
   return all.sizes();
+}
+
+Eigen::Vector3d smallest_box(const std::vector<Eigen::Vector3d>& points) {
+  if (points.empty()) return Eigen::Vector3d::Zero();
+  const std::vector<Eigen::Vector3d> few = extreme_points(points);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : few) middle += p / static_cast<double>(few.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : few) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::Matrix3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  Eigen::Vector3d best = extents(points, Eigen::Matrix3d::Identity());
+  for (const Eigen::Matrix3d& start : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), principal}) {
+    const Eigen::Vector3d found = extents(points, turned_smallest(few, start));
+    if (found.prod() < best.prod()) best = found;
+  }
+  std::sort(best.data(), best.data() + 3, std::greater<>());
+  return best;
 }
 
 Eigen::Vector3d folded_size(const model::Linkage& linkage, const model::State& state) {
@@ -164,9 +238,9 @@ Eigen::Vector3d folded_size(const model::Linkage& linkage, const model::State& s
   if (linkage.plates.size() > most_plates) return size_of(linkage, state);
   std::vector<Eigen::Vector3d> points;
   see_walls(linkage, state, [&](const OrientedBox& box) {
-    for (const Eigen::Vector3d& corner : corners_of(box)) points.push_back(corner);
+    for (const Eigen::Vector3d& corner : corners_of_wall(box)) points.push_back(corner);
   });
-  return model::smallest_box(points);
+  return smallest_box(points);
 }
 
 double physics_seconds(const model::Lattice& sheet) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
 #include <vector>
 
 namespace kinetix::model {
@@ -14,11 +13,6 @@ auto box_of(const Points& points) {
   for (const auto& p : points) box.extend(p);
   return box;
 }
-
-/// Returns the edges of a small box round points in any orientation, longest first, in the unit of the points. The
-/// orientation is the best one found by turning boxes about their own edges, so it does not depend on the frame of the
-/// points by more than about 0.1 %. @pre all finite
-Eigen::Vector3d smallest_box(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace kinetix::model
 
@@ -34,8 +28,6 @@ struct OrientedBox {
   double slant = 0;  ///< outward offset of the end at +axis 0, per length along axis 1
 };
 
-/// Returns the eight corners of the box.
-std::array<Eigen::Vector3d, 8> corners_of(const OrientedBox& box);
 /// Returns how far the box extends from its center along a direction, times the length of that direction.
 double support(const OrientedBox& box, const Eigen::Vector3d& direction);
 /// Returns the radius of a ball about the center that contains the box.

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
+#include <random>
 #include <sstream>
 
+#include "app/run/plan.hpp"
 #include "tests/app/bow.hpp"
 #include "tests/app/program.hpp"
 
@@ -155,6 +158,27 @@ TEST(ShortOutput, NamesProblemsByTheirSeverity) {
   EXPECT_THAT(missed.out, HasSubstr("\n  error:   "));
   EXPECT_THAT(missed.out, HasSubstr("Next: change the file, run again"));
   expect_short(missed.out, "missed");
+}
+
+// A thin arch of 200 x 100 x 4 mm in any orientation has these edges.
+TEST(SmallestBox, DoesNotDependOnTheFrame) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Matrix3d axes = Eigen::Quaterniond(unit(random), unit(random), unit(random), unit(random))
+                                     .normalized()
+                                     .toRotationMatrix();
+    std::vector<Eigen::Vector3d> points;
+    for (int k = 0; k <= 400; ++k)
+      for (const double side : {-2.0, 2.0}) {
+        const double angle = pi * k / 400;
+        points.emplace_back(axes * Eigen::Vector3d(100 * std::cos(angle), side, 100 * std::sin(angle)));
+      }
+    const Eigen::Vector3d edges = app::smallest_box(points);
+    EXPECT_NEAR(edges[0], 200, 0.3);
+    EXPECT_NEAR(edges[1], 100, 0.3);
+    EXPECT_NEAR(edges[2], 4, 0.3) << trial;
+  }
 }
 
 }  // namespace
