@@ -223,6 +223,7 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
   if (other) other->searched.found = complete_folding(std::move(other->searched.found), options);
   if (other && !other->resized.changes_given) {
     other->searched.found.notes.push_back("sizes that the process needs: " + other->resized.keys);
+    other->searched.found.print->advice = advise_pins(goal, other->searched.found, options);
     return std::move(other->searched);
   }
   const std::string advice =

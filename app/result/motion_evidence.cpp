@@ -49,14 +49,14 @@ std::string describe_folding(const Folding& folding) {
   if (folding.is_by_turns())
     return "by hand, " + folding.name +
            ": its pins turn freely, but the drives that were tried lead to another fold";
-  const std::string load = fmt::format("{:.3g} {}", folding.load, folding.is_force ? "N" : "N mm");
-  // Hinges that the design drives are named on the card, others here.
-  const std::string where =
-      folding.is_force || folding.name.starts_with("hinge ") ? ": " + folding.name : " about one hinge";
-  const std::string effort = describe_effort(folding);
-  if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives" + where;
-  return fmt::format("{} with {}{}{}", effort, load,
-                     folding.turns_freely ? " of friction, which is assumed" : "", where);
+  const bool is_named = folding.is_force || folding.name.starts_with("hinge ");
+  const std::string load =
+      fmt::format("{:.3g} {}{}{}{}", folding.load, folding.is_force ? "N" : "N mm",
+                  folding.turns_freely ? " of friction" : "", is_named ? "" : " about one hinge",
+                  folding.turns_freely ? ", which is assumed" : "");
+  const std::string name = is_named ? ": " + folding.name : "", effort = describe_effort(folding);
+  if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives" + name;
+  return effort + " with " + load + name;
 }
 
 namespace {

@@ -327,6 +327,16 @@ TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
   EXPECT_EQ(exit_code(app::verdict_of(advised)), app::done);
 }
 
+// Cells grow until living hinges fit. No drive folds that sheet, and the advice is the same.
+TEST(FindFolding, OfLivingHingesInLargerCellsNamesPins) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch,
+                              "kinetix: 1\nprocess: sls\nhinge: {kind: film}\n"
+                              "target: {kind: curve, points: [[0, 0], [20, 6], [40, 20], [50, 40], [45, 60], "
+                              "[30, 70]]}\n");
+  EXPECT_THAT(app::verdict_of(run).reasons(), HasSubstr("with `hinge: {kind: pin}`"));
+}
+
 // A panel of bridges is the equilibrium under its drive, which is not near the exact motion. Export follows that drive.
 TEST(FindFolding, OfElasticHingesWithADriveIsThatOfTheSearch) {
   const Scratch scratch;
