@@ -6,6 +6,7 @@
 #include "app/print/format/sheet_drawing.hpp"
 #include "app/print/print_report.hpp"
 #include "app/result/motion_evidence.hpp"
+#include "app/run/plan.hpp"
 #include "model/base/box.hpp"
 
 namespace kinetix::app {
@@ -220,9 +221,9 @@ CardPicture draw_fold(const PrintSheet& sheet) {
   const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
-  picture.caption = fmt::format("Folded: {}, seen from a corner, {}",
-                                format_sides(model::smallest_box(placed_points(sheet, fold))),
-                                describe_scale(scale.reduction));
+  picture.caption =
+      fmt::format("Folded: {}, seen from a corner, {}",
+                  format_sides(smallest_box(placed_points(sheet, fold))), describe_scale(scale.reduction));
   return picture;
 }
 
