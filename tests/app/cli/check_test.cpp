@@ -59,9 +59,9 @@ TEST(Check, PrintsTheSizeOfADrawingAndThatItsUnitIsAssumed) {
   const Scratch scratch;
   scratch.write("panel.svg", "<svg viewBox='0 0 192 96'><path d='M0 0H192V96H0ZM96 0V96'/></svg>");
   const Outcome run =
-      kinetix_opt("check " + scratch.write("in.yaml",
-                                           "kinetix: 1\nstructure: {lattice: graph, drawing: panel.svg}\n"
-                                           "design: {fold_angle_deg: 5}\n"));
+      short_run("check " + scratch.write("in.yaml",
+                                         "kinetix: 1\nstructure: {lattice: graph, drawing: panel.svg}\n"
+                                         "design: {fold_angle_deg: 5}\n"));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("50.8 x 25.4 mm\n"));
   EXPECT_THAT(run.out, HasSubstr("px of 1/96 inch, assumed because the file has no width and height)"));
