@@ -139,8 +139,7 @@ struct DriveDrawing {
     if (line.size() > 1) add_head(picture, line.back(), (line.back() - line[line.size() - 2]).normalized());
     return fmt::format(
         "Tie a string to the hinge at one end of the line, lead it past the others, and pull it until it is "
-        "{:.3g} mm "
-        "shorter.",
+        "{:.3g} mm shorter.",
         cord.shorten_mm);
   }
   std::string operator()(const model::ShapeMemory&) const { return warm_springs; }

@@ -14,7 +14,7 @@ constexpr double more_cells = 1.25;  // ratio of sides from one change to the ne
 // Share of the estimated side that comes first: errors shrink as the cells do, or faster.
 constexpr double first_side = 0.75;
 constexpr int largest_side = 64;  // columns or rows
-// Walls of all changes together: of the file's lattice, and with the others. Their searches take about a minute.
+// Walls of all changes together: of the file's lattice, and with the others. Their searches take about half a minute.
 constexpr int most_walls = 4'000, most_walls_in_all = 6'000;
 // Sides of other lattices, relative to those of squares with as many walls.
 constexpr double other_sides = 0.6;
