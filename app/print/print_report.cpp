@@ -420,9 +420,7 @@ std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& c
     lines.push_back({"force", describe_folding(*job.folding)});
   else if (!sheet.is_imported() && sheet.path.size() > 1)
     lines.push_back(
-        {"force",
-         "not known: kinetix does not compute it for large sheets of soft hinges, and for cells of "
-         "another size than the design's"});
+        {"force", "not computed for large sheets of soft hinges, nor for other cells than the design's"});
   return lines;
 }
 
