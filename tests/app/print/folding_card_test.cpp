@@ -125,7 +125,7 @@ TEST(PrintReport, HasAForceOrTheReasonWithoutOne) {
   const app::Design read = app::read_design(scratch.write("panel.yaml", panel));
   app::PrintJob job = prepare_fitting_print(read, read.process, {}, false).job;
   const auto text = [&] { return print_text(job, path_clearance(job.sheet), std::nullopt); };
-  EXPECT_THAT(text(), HasSubstr("force        not known"));
+  EXPECT_THAT(text(), HasSubstr("force        not computed"));
   EXPECT_THAT(text(), Not(HasSubstr("no drive is known")));
   job.folding = app::Folding{.name = {}, .why_not = "it buckles"};
   EXPECT_THAT(text(), HasSubstr("force        it buckles"));
