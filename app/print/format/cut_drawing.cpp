@@ -14,9 +14,8 @@ using Eigen::Vector2d;
 using CutRing = std::vector<Vector2d>;
 using Area = bp::polygon_set_data<int>;
 
-constexpr double cut_grid_mm = 1e-5;  // mm: as sheet_drawing, up to sheets of 20 m
-constexpr int closed_steps = 2;       // of the grid: ends of walls and bridges may be one step apart
-constexpr double straight_mm = 5 * cut_grid_mm;  // mm: corners that leave a line by less are rounding
+constexpr int closed_steps = 2;         // of the grid: ends of walls and bridges may be one step apart
+constexpr double straight_steps = 5;    // of the grid: corners that leave a line by less are rounding
 constexpr double engraved_share = 0.6;  // of a wall's thickness: height of numbers, so that they stay within
 constexpr double engraved_room = 0.9;   // of a half wall's length, for a number
 constexpr double least_engraved_mm = 0.8;  // mm: beams of 0.2 mm blur smaller digits
@@ -57,36 +56,37 @@ void engrave(const std::string& text, const Vector2d& middle, const Vector2d& ri
   }
 }
 
-bp::polygon_data<int> polygon_of(const CutRing& ring) {
+bp::polygon_data<int> polygon_of(const CutRing& ring, double grid_mm) {
   std::vector<bp::point_data<int>> points;
   for (const Vector2d& p : ring)
-    points.emplace_back(static_cast<int>(std::lround(p.x() / cut_grid_mm)),
-                        static_cast<int>(std::lround(p.y() / cut_grid_mm)));
+    points.emplace_back(static_cast<int>(std::lround(p.x() / grid_mm)),
+                        static_cast<int>(std::lround(p.y() / grid_mm)));
   bp::polygon_data<int> polygon;
   bp::set_points(polygon, points.begin(), points.end());
   return polygon;
 }
 
-CutRing ring_on_grid(const auto& polygon) {
+CutRing ring_on_grid(const auto& polygon, double grid_mm) {
   CutRing ring;
-  for (const auto& p : polygon) ring.push_back(cut_grid_mm * Vector2d(p.x(), p.y()));
+  for (const auto& p : polygon) ring.push_back(grid_mm * Vector2d(p.x(), p.y()));
   return ring;
 }
 
-std::vector<CutRing> cut_rings(const Area& area) {
+std::vector<CutRing> cut_rings(const Area& area, double grid_mm) {
   std::vector<bp::polygon_with_holes_data<int>> polygons;
   area.get(polygons);
   std::vector<CutRing> rings;
   for (const auto& polygon : polygons) {
-    rings.push_back(ring_on_grid(polygon));
+    rings.push_back(ring_on_grid(polygon, grid_mm));
     for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
-      rings.push_back(ring_on_grid(*hole));
+      rings.push_back(ring_on_grid(*hole, grid_mm));
   }
   return rings;
 }
 
 /// Returns a ring without corners that rounding leaves on straight lines.
-CutRing without_steps(const CutRing& ring) {
+CutRing without_steps(const CutRing& ring, double grid_mm) {
+  const double straight_mm = straight_steps * grid_mm;
   CutRing apart, out;
   for (const Vector2d& p : ring)
     if (apart.empty() || (p - apart.back()).norm() > straight_mm) apart.push_back(p);
@@ -104,13 +104,14 @@ bool is_hole(const CutRing& ring) { return signed_area(ring) < 0; }
 
 /// Returns bodies and bridges of a flat sheet together, in outlines whose corners are far apart: offsets of steps of
 /// one grid unit would be turned inside out.
-Area whole_area(const SheetDrawing& sheet) {
+Area whole_area(const SheetDrawing& sheet, double grid_mm) {
   Area parts, whole;
   for (const auto* list : {&sheet.bodies, &sheet.soft})
     for (const SheetDrawing::Part& part : *list)
-      for (const CutRing& ring : part.rings) parts.insert(polygon_of(ring));
+      for (const CutRing& ring : part.rings) parts.insert(polygon_of(ring, grid_mm));
   parts.resize(closed_steps);
-  for (const CutRing& ring : cut_rings(parts)) whole.insert(polygon_of(without_steps(ring)), is_hole(ring));
+  for (const CutRing& ring : cut_rings(parts, grid_mm))
+    whole.insert(polygon_of(without_steps(ring, grid_mm), grid_mm), is_hole(ring));
   return whole;
 }
 
@@ -218,14 +219,17 @@ double CutDrawing::length_mm() const {
 
 CutDrawing cut_drawing(const PrintSheet& sheet) {
   if (sheet.cuts) return drawing_of_cuts(*sheet.cuts);
-  Area area = whole_area(sheet_drawing(sheet));
-  const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / cut_grid_mm));
+  const SheetDrawing parts = sheet_drawing(sheet);
+  const double reach = std::max(parts.low.lpNorm<Eigen::Infinity>(), parts.high.lpNorm<Eigen::Infinity>());
+  const double grid_mm = grid_step_mm(reach + sheet.process.kerf_mm);
+  Area area = whole_area(parts, grid_mm);
+  const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / grid_mm));
   if (half_kerf > closed_steps) area.resize(half_kerf - closed_steps);
   CutDrawing drawing;
   std::vector<CutRing> outlines;
   Eigen::AlignedBox2d box;
-  for (const CutRing& rounded : cut_rings(area)) {
-    CutRing ring = without_steps(rounded);
+  for (const CutRing& rounded : cut_rings(area, grid_mm)) {
+    CutRing ring = without_steps(rounded, grid_mm);
     for (const Vector2d& p : ring) box.extend(p);
     (is_hole(ring) ? drawing.cuts : outlines).push_back(std::move(ring));
   }

@@ -12,16 +12,12 @@ using Eigen::Vector2d;
 using Ring = std::vector<Vector2d>;
 using Points = std::vector<bp::point_data<int>>;
 
-constexpr double grid_mm = 1e-5;  // mm: unions are exact on this grid, up to sheets of 20 m
+constexpr double least_grid_mm = 1e-5;   // mm: exact for sheets that reach 10 m from the origin
+constexpr double most_grid_steps = 1e9;  // half of what `int` holds, since unions take differences
 
-bp::point_data<int> on_grid(const Eigen::Vector3d& p) {
-  return {static_cast<int>(std::lround(p.x() / grid_mm)), static_cast<int>(std::lround(p.y() / grid_mm))};
-}
-
-/// Returns the convex hull of corners seen from above, counter-clockwise and exact (Andrew's monotone chain).
-Points shadow(const std::vector<Eigen::Vector3d>& corners, const model::Pose& place) {
-  Points points, out;
-  for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(place.R * p + place.p));
+/// Returns the convex hull of corners, counter-clockwise and exact (Andrew's monotone chain).
+Points hull(Points points) {
+  Points out;
   std::sort(points.begin(), points.end());
   const auto left = [](const auto& a, const auto& b, const auto& c) {
     const auto wide = [](int x) { return static_cast<long long>(x); };
@@ -39,17 +35,27 @@ Points shadow(const std::vector<Eigen::Vector3d>& corners, const model::Pose& pl
 }
 
 template <class Polygon>
-Ring ring_of(const Polygon& polygon) {
+Ring ring_of(const Polygon& polygon, double grid_mm) {
   Ring ring;
   for (const auto& p : polygon) ring.push_back(grid_mm * Vector2d(p.x(), p.y()));
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   return ring;
 }
 
-std::vector<Ring> united(const std::vector<Points>& shadows) {
+/// Returns outlines of what convex solids cover, seen from above, mm. @param solids corners of each, mm
+std::vector<Ring> united(const std::vector<Ring>& solids) {
   using namespace bp::operators;
+  double reach = 0;
+  for (const Ring& corners : solids)
+    for (const Vector2d& p : corners) reach = std::max(reach, p.lpNorm<Eigen::Infinity>());
+  const double grid_mm = grid_step_mm(reach);
   bp::polygon_set_data<int> set;
-  for (const Points& shadow : shadows) {
+  for (const Ring& corners : solids) {
+    Points points;
+    for (const Vector2d& p : corners)
+      points.emplace_back(static_cast<int>(std::lround(p.x() / grid_mm)),
+                          static_cast<int>(std::lround(p.y() / grid_mm)));
+    const Points shadow = hull(std::move(points));
     bp::polygon_data<int> polygon;
     bp::set_points(polygon, shadow.begin(), shadow.end());
     set += polygon;
@@ -58,9 +64,9 @@ std::vector<Ring> united(const std::vector<Points>& shadows) {
   set.get(polygons);
   std::vector<Ring> rings;
   for (const auto& polygon : polygons) {
-    rings.push_back(ring_of(polygon));
+    rings.push_back(ring_of(polygon, grid_mm));
     for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
-      rings.push_back(ring_of(*hole));
+      rings.push_back(ring_of(*hole, grid_mm));
   }
   return rings;
 }
@@ -230,6 +236,8 @@ class StripMaker {
 
 }  // namespace
 
+double grid_step_mm(double reach_mm) { return std::max(least_grid_mm, reach_mm / most_grid_steps); }
+
 double number_height_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
 
 namespace {
@@ -238,12 +246,19 @@ model::Pose at_rest(const PrintSheet& sheet, int body) {
   return {Eigen::Matrix3d::Identity(), sheet.linkage.rest_position(body)};
 }
 
+/// Returns corners at a place as they are seen from above, mm.
+Ring seen_from_above(const std::vector<Eigen::Vector3d>& corners, const model::Pose& place) {
+  Ring seen;
+  for (const Eigen::Vector3d& p : corners) seen.push_back((place.R * p + place.p).head<2>());
+  return seen;
+}
+
 /// Returns the shadow of a body at a place.
 SheetDrawing::Part body_part(const PrintSheet& sheet, int body, const model::Pose& place) {
-  std::vector<Points> shadows;
+  std::vector<Ring> solids;
   for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[body]))
-    shadows.push_back(shadow(piece.corners, place));
-  return {"body " + sheet.linkage.vertex_name(body), united(shadows)};
+    solids.push_back(seen_from_above(piece.corners, place));
+  return {"body " + sheet.linkage.vertex_name(body), united(solids)};
 }
 
 }  // namespace
@@ -260,7 +275,7 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
                           place = lower + sheet.linkage.size.edge_mm * hinge.lower_arm;
     if (!sheet.soft[h].points.empty())
       drawing.soft.push_back({"hinge " + sheet.linkage.wall_name(h),
-                              united({shadow(sheet.soft[h].points, at_rest(sheet, hinge.lower))})});
+                              united({seen_from_above(sheet.soft[h].points, at_rest(sheet, hinge.lower))})});
     const bool pin = is_pin(sheet.hinges[h].made.kind);
     drawing.hinges.push_back({h + 1, place.head<2>(), pin ? sheet.hinges[h].made.diameter_mm / 2 : 0});
   }
@@ -281,8 +296,8 @@ SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, cons
     const std::vector<Eigen::Vector3d> points = placed_soft(sheet, state, h).points;
     const model::Pose whole{turn, Eigen::Vector3d::Zero()};
     const Eigen::Vector3d middle = std::accumulate(points.begin(), points.end(), whole.p) / points.size();
-    seen.push_back(
-        {(turn * middle).z(), {"hinge " + sheet.linkage.wall_name(h), united({shadow(points, whole)})}});
+    seen.push_back({(turn * middle).z(),
+                    {"hinge " + sheet.linkage.wall_name(h), united({seen_from_above(points, whole)})}});
   }
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   SheetDrawing view;

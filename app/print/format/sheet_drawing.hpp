@@ -29,7 +29,10 @@ inline constexpr double capital_share = 0.75;  ///< digit's height over the heig
 /// Returns the height of a hinge's number in drawings, mm.
 double number_height_mm(const PrintSheet& sheet);
 
-/// Draws each part as its shadow from above, to 1e-5 mm.
+/// Returns the step of the grid on which areas are exact, mm: 1e-5, more if coordinates reach over 10 m.
+double grid_step_mm(double reach_mm);
+
+/// Draws each part as its shadow from above, on the grid of `grid_step_mm`.
 SheetDrawing sheet_drawing(const PrintSheet& sheet);
 
 /// Draws a sheet in a state from another side: all parts are in `bodies`, farthest first, and hinges are not marked.

@@ -20,14 +20,14 @@ using Json = nlohmann::json;
 // mm: a cell whose outline has round numbers.
 constexpr double cell_mm = 20, wall_mm = 2, bridge_mm = 1;
 
-/// A basic cell with bridges of 1 x 4 mm. @param process after `process: `
-std::string bridged_cell(const std::string& process) {
+/// A row of basic cells with bridges of 1 x 4 mm. @param process after `process: `   @param scale of all lengths
+std::string bridged_cell(const std::string& process, int cells = 1, double scale = 1) {
   return fmt::format(
-      "kinetix: 1\nstructure: {{cells: [1, 1], cell_mm: {}, wall_mm: {{thickness: {}}}}}\n"
-      "design: {{theta_deg: 5}}\nhinge: {{model: rotary, kind: film, material: pp, gap_mm: 4, thickness_mm: "
+      "kinetix: 1\nstructure: {{cells: [{}, 1], cell_mm: {}, wall_mm: {{thickness: {}}}}}\n"
+      "design: {{theta_deg: 5}}\nhinge: {{model: rotary, kind: film, material: pp, gap_mm: {}, thickness_mm: "
       "{}}}\n"
       "process: {}\n",
-      cell_mm, wall_mm, bridge_mm, process);
+      cells, scale * cell_mm, scale * wall_mm, scale * 4, scale * bridge_mm, process);
 }
 
 app::CutDrawing drawing_of(const std::string& text) {
@@ -60,6 +60,19 @@ TEST(Laser, CutsACellHalfAKerfOutsideOfItsOutline) {
     EXPECT_NEAR(cut_area_mm2(cut), area_mm2 + kerf / 2 * length_mm + kerf * kerf / 4 * turns, 5e-3) << kerf;
     EXPECT_NEAR((cut.high - cut.low).x(), E + T + kerf, 1e-3);
   }
+}
+
+/// The program keeps areas in whole numbers of grid steps. Steps of small sheets would reach no further than 21 m.
+TEST(Laser, CutsASheetOf40MetresAsASmallOne) {
+  constexpr int cells = 4;
+  constexpr double scale = 500;
+  const std::string process = "{base: laser, kerf_mm: 0}";
+  const app::CutDrawing small = drawing_of(bridged_cell(process, cells)),
+                        large = drawing_of(bridged_cell(process, cells, scale));
+  EXPECT_EQ(large.cuts.size(), small.cuts.size());
+  EXPECT_NEAR(large.length_mm() / scale, small.length_mm(), 2e-3);
+  const double two_steps_mm = 2.1e-5;  // mm: so far outside are outlines
+  EXPECT_NEAR(cut_area_mm2(large) / (scale * scale), cut_area_mm2(small), two_steps_mm * small.length_mm());
 }
 
 /// The sheet stays one piece with one hole for each cell, in all lattices and with walls in any direction.
